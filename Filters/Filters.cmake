@@ -28,7 +28,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor Phase
+  ArrayLayout FieldArrays GeometryArrays Guard Interpreter MissingViewpoints ParallelFor Phase
   PipelineWatch PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ViewpointSource)
 
 # Reduction of fields.

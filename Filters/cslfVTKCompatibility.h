@@ -7,6 +7,8 @@
 #ifndef cslfVTKCompatibility_h
 #define cslfVTKCompatibility_h
 
+#include "Pipeline/cslfInterpreter.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkMapper.h>
 #include <vtkProp.h>
@@ -22,13 +24,13 @@
 
 namespace cslf
 {
-/// Whether a filter has been asked to stop.
+/// Whether a filter has been asked to stop, by its user or by that of the interpreter.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  return algorithm->CheckAbort();
+  return algorithm->CheckAbort() || IsInterrupted();
 #else
-  return algorithm->GetAbortExecute() != 0;
+  return algorithm->GetAbortExecute() != 0 || IsInterrupted();
 #endif
 }
 

@@ -3,6 +3,8 @@
 #include "vtkCSLFBakeEstimator.h"
 
 #include "Files/cslfJSONFile.h"
+#include "Options/cslfOption.h"
+#include "Options/cslfQualityPresets.h"
 #include "Pipeline/cslfGuard.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
@@ -23,6 +25,8 @@
 #include <string>
 
 vtkStandardNewMacro(vtkCSLFBakeEstimator);
+cslfSetClampMacro(vtkCSLFBakeEstimator, Format, Video, ImageFolder);
+cslfSetClampMacro(vtkCSLFBakeEstimator, ProbeSeconds, 1.0, 1e6);
 vtkCxxSetSmartPointerMacro(vtkCSLFBakeEstimator, Encoder, vtkCSLFEncoder);
 vtkCxxSetSmartPointerMacro(vtkCSLFBakeEstimator, Sampler, vtkCSLFSampler);
 
@@ -88,12 +92,12 @@ void EraseMeasured(nlohmann::json& manifest)
   }
 }
 
-cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
+cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder, int quality)
 {
   vtkCSLFRateControl* rate = encoder->GetRateControl();
-  return { encoder->GetPreset(), encoder->GetPixelFormat(), rate->GetCRF(), rate->GetCoverageCRF(),
-    rate->GetDepthCRF(), encoder->GetGroupLength(), encoder->GetLossless(),
-    encoder->GetDepthFromGeometry(),
+  return { cslf::ChoosePreset(encoder->GetPreset(), quality), encoder->GetPixelFormat(),
+    rate->GetCRF(), rate->GetCoverageCRF(), rate->GetDepthCRF(), encoder->GetGroupLength(),
+    encoder->GetLossless(), encoder->GetDepthFromGeometry(),
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
     std::max(1, rate->GetKeyViewStep()), 0.0, encoder->GetCodec() };
 }
@@ -207,7 +211,7 @@ cslf::BakeProbe vtkCSLFBakeEstimator::MakeProbe()
     // Otherwise it would be made with small fields, which are requested as a whole.
     this->Sampler->SetGeometryTriangles(0);
   }
-  return { this->Sampler, GetSettings(encoder), hasGeometry,
+  return { this->Sampler, GetSettings(encoder, this->Sampler->GetQuality()), hasGeometry,
     static_cast<cslf::BakeProbe::Format>(this->Format), this->ProbeSeconds };
 }
 
@@ -316,8 +320,8 @@ int vtkCSLFBakeEstimator::ReadSamples(const std::string& name)
     this->Sampler->SetCacheProbeSeconds(CacheShare);
     this->Sampler->SetSamples(samples);
     vtkNew<vtkCSLFEncoder> standard;
-    cslf::EncodeSettings settings =
-      GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get());
+    cslf::EncodeSettings settings = GetSettings(
+      this->Encoder ? this->Encoder.Get() : standard.Get(), this->Sampler->GetQuality());
     if (this->Encoder &&
       this->Encoder->GetRateControl()->GetKeyViewStep() == vtkCSLFRateControl::AutomaticKeyViews)
     {

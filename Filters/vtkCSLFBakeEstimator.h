@@ -63,7 +63,7 @@ public:
   /**
    * The kind of file. Default: Video.
    */
-  vtkSetClampMacro(Format, int, Video, ImageFolder);
+  void SetFormat(int format);
   vtkGetMacro(Format, int);
   ///@}
 
@@ -89,7 +89,7 @@ public:
   /**
    * The approximate maximum time of a probe in seconds. At least 1. Default: 10.
    */
-  vtkSetClampMacro(ProbeSeconds, double, 1.0, 1e6);
+  void SetProbeSeconds(double seconds);
   vtkGetMacro(ProbeSeconds, double);
   ///@}
 

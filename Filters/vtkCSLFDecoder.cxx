@@ -537,7 +537,8 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
 
 void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
 {
-  this->CacheSize = std::max<vtkTypeInt64>(bytes, 0);
+  this->CacheSize =
+    cslf::Clamp<vtkTypeInt64>(this, "CacheSize", bytes, 0, VTK_TYPE_INT64_MAX, this->CacheSize);
   if (this->Internal->Reader)
   {
     this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);

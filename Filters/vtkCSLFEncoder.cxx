@@ -5,6 +5,7 @@
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Coding/Writing/cslfEncodeSession.h"
 #include "Options/cslfOptionTable.h"
+#include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
@@ -153,12 +154,28 @@ cslf::EncodeFault vtkCSLFEncoder::FindFault()
   return {};
 }
 
+std::string vtkCSLFEncoder::GetUsedPreset()
+{
+  int quality = options::Quality.Default;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    const auto producers = cslf::FindProducers(this->GetInputConnection(0, 0));
+    const auto found = std::find_if(producers.begin(), producers.end(),
+      [](vtkAlgorithm* producer) { return vtkCSLFPathTracer::SafeDownCast(producer) != nullptr; });
+    if (found != producers.end())
+    {
+      quality = vtkCSLFPathTracer::SafeDownCast(*found)->GetQuality();
+    }
+  }
+  return cslf::ChoosePreset(this->Preset, quality);
+}
+
 cslf::EncodeJob vtkCSLFEncoder::MakeJob()
 {
   cslf::EncodeJob job;
   vtkCSLFRateControl* rate = this->RateControl;
   job.FileName = this->FileName ? this->FileName : "";
-  job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
+  job.Settings = { this->GetUsedPreset(), this->PixelFormat ? this->PixelFormat : "",
     rate->GetCRF(), rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
     this->DepthFromGeometry,
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
@@ -181,6 +198,13 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
                                                         : std::nullopt;
   };
   job.Reporter = this;
+  this->NumberOfGroups = 0;
+  this->ResumedGroups = 0;
+  job.Resume = [this](int resumed, int all)
+  {
+    this->ResumedGroups = resumed;
+    this->NumberOfGroups = all;
+  };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
 }
@@ -296,7 +320,12 @@ int vtkCSLFEncoder::WriteInput()
   if (session.Check(fault))
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
-    const CacheKeeping keeping(job.Connection, &*keeper);
+    // A path tracer executes to use the keeper, so what is there would be sampled again.
+    std::optional<CacheKeeping> keeping;
+    if (!cslf::IsWholeThere(job.Connection))
+    {
+      keeping.emplace(job.Connection, &*keeper);
+    }
     // Write always writes, even if nothing changed. The input may fail with an exception.
     this->Modified();
     this->Session = &session;

@@ -76,6 +76,7 @@
 
 #include <memory>   // For std::unique_ptr
 #include <optional> // For std::optional
+#include <string>   // For std::string
 #include <vector>   // For std::vector
 
 class vtkCSLFRateControl;
@@ -141,13 +142,20 @@ public:
   /**
    * Set/get the x265 preset, which trades time for size: ultrafast, superfast, veryfast, faster,
    * fast, medium, slow, slower, veryslow or placebo. x264 has the same presets; the encoders of AV1
-   * use equivalent ones. Default: slow, which uses the rate-distortion analysis of slower for
-   * colour. At equal quality, colour is a fifth to a quarter smaller than with medium, and takes
-   * four times as long.
+   * use equivalent ones. slow uses the rate-distortion analysis of slower for colour. At equal
+   * quality, colour is a fifth to a quarter smaller than with medium, and takes four times as long.
+   * auto is ultrafast if the field comes from a vtkCSLFSampler of quality Preview, else slow.
+   * Default: auto.
    */
   vtkSetStringMacro(Preset);
   vtkGetStringMacro(Preset);
   ///@}
+
+  /**
+   * The preset in use: the one that is set or, where that is auto, that of the quality of the
+   * sampler which feeds the encoder.
+   */
+  std::string GetUsedPreset();
 
   ///@{
   /**
@@ -284,6 +292,16 @@ public:
   vtkGetMacro(ActualGeometryLoss, double);
   ///@}
 
+  ///@{
+  /**
+   * How many groups of viewpoints the file has, and how many of them an interrupted run had left.
+   * Known on rank 0 from the first ProgressEvent of Write that follows the first viewpoint; 0
+   * before.
+   */
+  vtkGetMacro(NumberOfGroups, int);
+  vtkGetMacro(ResumedGroups, int);
+  ///@}
+
   /**
    * Writes the file when the pipeline requests data.
    */
@@ -332,6 +350,8 @@ private:
   double ActualNovelViewPSNR = 0.0;
   bool ActualDepthFromGeometry = false;
   double ActualGeometryLoss = 0.0;
+  int NumberOfGroups = 0;
+  int ResumedGroups = 0;
 };
 
 #endif

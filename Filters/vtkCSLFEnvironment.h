@@ -39,9 +39,13 @@ public:
    */
   void SetMode(int mode);
   vtkGetMacro(Mode, int);
+  /** No light comes from far away. */
   void SetModeToNone() { this->SetMode(NoEnvironment); }
+  /** The same Color comes from all directions. */
   void SetModeToConstant() { this->SetMode(ConstantEnvironment); }
+  /** BottomColor changes to Color along Up. */
   void SetModeToGradient() { this->SetMode(GradientEnvironment); }
+  /** The light is that of the lat-long image FileName. */
   void SetModeToImage() { this->SetMode(ImageEnvironment); }
   ///@}
 

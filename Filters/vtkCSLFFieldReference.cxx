@@ -38,6 +38,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFFieldReference);
+cslfSetClampMacro(vtkCSLFFieldReference, Texels, 1, 100000000);
 
 namespace
 {
@@ -287,9 +288,9 @@ private:
     settings.Samples = samples / parts + (samples % parts != 0);
     settings.Seed = static_cast<std::uint32_t>(
       cslf::MixBits(ReferenceSalt, static_cast<std::uint32_t>(this->Self->GetSeed())));
-    settings.Exposure = this->Self->GetExposure();
+    settings.Exposure = this->Self->GetUsedExposure();
     settings.ShowEnvironment = this->Self->GetEnvironment()->GetShow();
-    settings.Paths.MaximumDepth = this->Self->GetMaximumDepth();
+    settings.Paths.MaximumDepth = this->Self->GetUsedMaximumDepth();
     return settings;
   }
 

@@ -45,7 +45,7 @@ public:
    * The number of texels to measure, at least 1. If the field has no more than that, each texel is
    * measured once. Default: 100000.
    */
-  vtkSetClampMacro(Texels, int, 1, 100000000);
+  void SetTexels(int texels);
   vtkGetMacro(Texels, int);
   ///@}
 

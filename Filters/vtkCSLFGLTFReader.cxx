@@ -25,6 +25,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFGLTFReader);
+cslfSetOptionMacro(vtkCSLFGLTFReader, PointRadius, PointRadius);
 cslfGuardedRequestMacro(vtkCSLFGLTFReader);
 
 vtkCSLFGLTFReader::vtkCSLFGLTFReader()

@@ -61,7 +61,7 @@ public:
    * The radius of points, in the file's unit. With 0, the path tracer takes half of the distance
    * between neighbouring points, see vtkCSLFMaterial. Range: 0 to 1e30. Default: 0.
    */
-  vtkSetClampMacro(PointRadius, double, 0.0, 1e30);
+  void SetPointRadius(double radius);
   vtkGetMacro(PointRadius, double);
   ///@}
 

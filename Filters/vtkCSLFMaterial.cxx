@@ -292,6 +292,7 @@ cslfNumberMacro(NormalScale, double);
 cslfNumberMacro(LineRadius, double);
 cslfNumberMacro(PointRadius, double);
 cslfColorMacro(DisplayedWhite);
+cslfNumberMacro(FinishedColors, bool);
 
 void vtkCSLFMaterial::SetVisibleSides(vtkDataObject* data, int sides)
 {

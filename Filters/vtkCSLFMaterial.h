@@ -41,6 +41,10 @@
  * gives a white surface this radiance. The middle between blue and red is displayed as 188, 0, 188
  * by the first rule and, with a white of 1, as 128, 0, 128 by the second. Emissions are then
  * interpolated as displayed values as well.
+ * - `CSLF:FinishedColors`: 0 or 1, default 0. With 1, the data has its final colours, as what
+ * vtkCSLFSceneImporter makes of an actor: base colour, textures and, if there are any, colours of
+ * points or cells in an array named `CSLF:Colors` (unsigned char, 3 or 4 components). No other
+ * array and no lookup table colours it, whatever is set for the whole scene.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
  * purely diffuse. Colours of points or cells, if shown, replace the base colour, and their alpha
@@ -106,6 +110,7 @@ public:
   static const char* LineRadiusName() { return "CSLF:LineRadius"; }
   static const char* DisplayedWhiteName() { return "CSLF:DisplayedWhite"; }
   static const char* PointRadiusName() { return "CSLF:PointRadius"; }
+  static const char* FinishedColorsName() { return "CSLF:FinishedColors"; }
   ///@}
 
   /**
@@ -267,6 +272,20 @@ public:
   static void SetDisplayedWhite(vtkDataObject* data, double red, double green, double blue);
   static void GetDisplayedWhite(vtkDataObject* data, double radiance[3]);
   ///@}
+
+  ///@{
+  /**
+   * Set or get whether the data has its final colours, see above. Default: false.
+   */
+  static void SetFinishedColors(vtkDataObject* data, bool finished);
+  static bool GetFinishedColors(vtkDataObject* data);
+  ///@}
+
+  /**
+   * The name of the array, of points or else of cells, that holds the colours of data with finished
+   * colours.
+   */
+  static const char* ColorsName() { return "CSLF:Colors"; }
 
   /**
    * The uses of textures.

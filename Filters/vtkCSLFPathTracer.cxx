@@ -182,7 +182,8 @@ nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isRepla
 }
 
 vtkCSLFPathTracer::vtkCSLFPathTracer()
-  : Quality(options::Quality.Default)
+  : Colors(options::Colors.Default)
+  , Quality(options::Quality.Default)
   , Samples(options::Samples.Default)
   , NoiseTarget(options::NoiseTarget.Default)
   , MaximumDepth(options::MaximumDepth.Default)
@@ -234,6 +235,21 @@ vtkMTimeType vtkCSLFPathTracer::GetMTime()
   return time;
 }
 
+int vtkCSLFPathTracer::GetUsedIntegrator()
+{
+  return this->Colors == Exact ? PathTracing : this->Integrator;
+}
+
+int vtkCSLFPathTracer::GetUsedMaximumDepth()
+{
+  return this->Colors == Exact ? 0 : this->MaximumDepth;
+}
+
+double vtkCSLFPathTracer::GetUsedExposure()
+{
+  return this->Colors == Exact ? 1.0 : this->Exposure;
+}
+
 int vtkCSLFPathTracer::GetUsedSamples()
 {
   return this->Samples > 0 ? this->Samples : cslf::QualityPresets[this->Quality].Samples;
@@ -257,6 +273,9 @@ int vtkCSLFPathTracer::GetUsedCacheSamples()
   return samples > 0 ? samples : cslf::QualityPresets[this->Quality].CacheSamples;
 }
 
+cslfSetOptionMacro(vtkCSLFPathTracer, Integrator, Integrator);
+cslfSetOptionMacro(vtkCSLFPathTracer, Colors, Colors);
+cslfSetOptionMacro(vtkCSLFPathTracer, Quality, Quality);
 cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
 cslfSetOptionMacro(vtkCSLFPathTracer, NoiseTarget, NoiseTarget);
 cslfSetOptionMacro(vtkCSLFPathTracer, MaximumDepth, MaximumDepth);
@@ -358,6 +377,7 @@ std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVect
   if (vtkCSLFSceneImporter* importer = this->Internals->Importer)
   {
     importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
+    importer->SetExactColors(this->Colors == Exact);
     std::optional<cslf::Phase> phase;
     const auto report = [this, &phase](vtkAlgorithm* running)
     {
@@ -438,9 +458,9 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
     }
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
-  key << this->DistributedScene << ' ' << this->MustGather() << ' ' << this->ScalarVisibility << ' '
-      << this->GetInputArrayInformation(0)->GetMTime() << ' ' << (table ? table->GetMTime() : 0)
-      << ' ';
+  key << this->Colors << ' ' << this->DistributedScene << ' ' << this->MustGather() << ' '
+      << this->ScalarVisibility << ' ' << this->GetInputArrayInformation(0)->GetMTime() << ' '
+      << (table ? table->GetMTime() : 0) << ' ';
   WriteEnvironment(this->Internals->Environment, key);
   return key.str();
 }
@@ -487,6 +507,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
+  sceneOptions.ExactColors = this->Colors == Exact;
   sceneOptions.InPieces = this->DistributedScene;
   std::optional<cslf::Phase> phase;
   phase.emplace(this, "Reading the scene", ReadProgress);
@@ -568,18 +589,23 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   vtkCSLFEnvironment* environment = this->Internals->Environment;
   nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
     { "arithmetic", cslf::GetArithmetic() },
-    { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
+    { "integrator",
+      this->GetUsedIntegrator() == RadianceCaching ? "radiance-caching" : "path-tracing" },
     { options::Quality.Key, options::Quality.Names[this->Quality] },
     { options::Samples.Key, this->GetUsedSamples() },
-    { options::MaximumDepth.Key, this->MaximumDepth }, { options::Seed.Key, this->Seed },
-    { options::Exposure.Key, this->Exposure },
+    { options::MaximumDepth.Key, this->GetUsedMaximumDepth() }, { options::Seed.Key, this->Seed },
+    { options::Exposure.Key, this->GetUsedExposure() },
     { options::ShowEnvironment.Key, environment->GetShow() },
     { "environment", DescribeEnvironment(environment, this->Internals->Scene.HasEnvironment) } };
   if (this->GetUsedNoiseTarget() > 0.0)
   {
     sampling[options::NoiseTarget.Key] = this->GetUsedNoiseTarget();
   }
-  if (this->Integrator == RadianceCaching)
+  if (this->Colors == Exact)
+  {
+    sampling[options::Colors.Key] = options::Colors.Names[this->Colors];
+  }
+  if (this->GetUsedIntegrator() == RadianceCaching)
   {
     vtkCSLFRadianceCacheOptions* cacheOptions = this->Internals->CacheOptions;
     sampling["cache"] = { { options::CacheTolerance.Key, this->GetUsedCacheTolerance() },
@@ -603,6 +629,7 @@ std::string vtkCSLFPathTracer::DescribeSampling()
 void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Colors: " << this->Colors << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "CacheOptions:\n";
   this->Internals->CacheOptions->PrintSelf(os, indent.GetNextIndent());

@@ -26,7 +26,8 @@
  * points, then of cells), replace the base colour. Unsigned chars of 3 or 4 components are sRGB
  * colours. All other scalars are mapped through LookupTable, or the array's own lookup table, or a
  * default table over the range of the arrays of all inputs. Colours of points are converted to
- * linear before they are interpolated. Their alpha multiplies the opacity.
+ * linear before they are interpolated. Their alpha multiplies the opacity. Data with finished
+ * colours (see vtkCSLFMaterial), such as that of a renderer, keeps them.
  *
  * Light transport is path tracing. Light from emissive surfaces and environment images is sampled
  * both at its source and by the surface, and the power heuristic combines the two. From the fourth
@@ -105,10 +106,40 @@ public:
    * Documentation/LightTransport.md. Default: radiance caching in vtkCSLFSampler, path tracing in
    * vtkCSLFViewTracer.
    */
-  vtkSetClampMacro(Integrator, int, PathTracing, RadianceCaching);
+  void SetIntegrator(int integrator);
   vtkGetMacro(Integrator, int);
+  /** Traces every path to its end: the reference, and slow. */
   void SetIntegratorToPathTracing() { this->SetIntegrator(PathTracing); }
+  /** Looks up the light of diffuse surfaces, which is computed once. */
   void SetIntegratorToRadianceCaching() { this->SetIntegrator(RadianceCaching); }
+  ///@}
+
+  /**
+   * What surfaces show.
+   */
+  enum ColorModes
+  {
+    Lit = 0, ///< the light that they reflect and emit
+    Exact    ///< their own colours
+  };
+
+  ///@{
+  /**
+   * What surfaces show. If exact, every surface shows its own colour, as in a scalar bar, from all
+   * directions: that of its scalars, texture or material, plus what it emits, clamped at white.
+   * There is no light from elsewhere, no shadow and no reflection, metals and glass show their base
+   * colour, and Integrator, MaximumDepth and Exposure have no effect. Colours and textures are
+   * interpolated as displayed values. Scalars of points are interpolated before they are mapped, so
+   * no colour is seen that the table does not contain, except with textures and with tables of
+   * categories. A renderer's lights and the coefficients of its properties are ignored.
+   * Opacity has the same meaning in both modes. Default: lit.
+   */
+  void SetColors(int colors);
+  vtkGetMacro(Colors, int);
+  /** The light that surfaces reflect and emit. */
+  void SetColorsToLit() { this->SetColors(Lit); }
+  /** Their own colours, as in a scalar bar. */
+  void SetColorsToExact() { this->SetColors(Exact); }
   ///@}
 
   ///@{
@@ -166,17 +197,24 @@ public:
    * Best: 256, 0.001, 1/256, 4096. The automatic Spacing of the cache is four times larger for
    * Preview. Default: Good.
    */
-  vtkSetClampMacro(Quality, int, Preview, Best);
+  void SetQuality(int quality);
   vtkGetMacro(Quality, int);
+  /** Fast; noise is visible. vtkCSLFEncoder codes such fields fast, too. */
   void SetQualityToPreview() { this->SetQuality(Preview); }
+  /** For most purposes. */
   void SetQualityToGood() { this->SetQuality(Good); }
+  /** For references; takes several times longer than Good. */
   void SetQualityToBest() { this->SetQuality(Best); }
   ///@}
 
   ///@{
   /**
    * The values in use: those that are set, or where these are automatic, those of the Quality.
+   * With exact Colors, path tracing, without reflections, and an exposure of 1.
    */
+  int GetUsedIntegrator();
+  int GetUsedMaximumDepth();
+  double GetUsedExposure();
   int GetUsedSamples();
   double GetUsedNoiseTarget();
   double GetUsedCacheTolerance();
@@ -414,6 +452,7 @@ private:
   void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);
   bool MustGather();
 
+  int Colors;
   int Integrator = PathTracing;
   int Quality;
   int Samples;

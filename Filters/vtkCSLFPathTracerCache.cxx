@@ -38,7 +38,8 @@ double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size, int quality)
 
 void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
 {
-  seconds = std::max(seconds, 0.0);
+  seconds =
+    cslf::Clamp(this, "CacheProbeSeconds", seconds, 0.0, VTK_DOUBLE_MAX, this->CacheProbeSeconds);
   if (this->CacheProbeSeconds != seconds)
   {
     this->CacheProbeSeconds = seconds;

@@ -22,9 +22,9 @@ cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
   settings.Samples = this->GetUsedSamples();
   settings.NoiseTarget = this->GetUsedNoiseTarget();
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
-  settings.Exposure = this->Exposure;
+  settings.Exposure = this->GetUsedExposure();
   settings.ShowEnvironment = this->Internals->Environment->GetShow();
-  settings.Paths.MaximumDepth = this->MaximumDepth;
+  settings.Paths.MaximumDepth = this->GetUsedMaximumDepth();
   return settings;
 }
 
@@ -50,7 +50,7 @@ bool vtkCSLFPathTracer::PrepareRendering(
   settings = this->GetRenderSettings();
   // A viewer may change the exposure of float colours; bytes are clipped at white.
   settings.DisplayRange = isFloat ? cslf::DisplayCurve::FloatRange : cslf::DisplayCurve::ByteRange;
-  if (this->Integrator != RadianceCaching)
+  if (this->GetUsedIntegrator() != RadianceCaching)
   {
     return true;
   }

@@ -97,6 +97,7 @@ public:
   };
   void SetKeyViewStep(int step);
   vtkGetMacro(KeyViewStep, int);
+  /** The largest step whose novel views reach TargetNovelViewPSNR. */
   void SetKeyViewStepToAutomatic() { this->SetKeyViewStep(AutomaticKeyViews); }
   ///@}
 

@@ -307,6 +307,15 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->GeometryKey = key.str();
     return;
   }
+  const cslf::ShapeCounts shapes = cslf::CountShapes(*scene.World);
+  if (shapes.Omitted > 0)
+  {
+    vtkWarningMacro("The geometry is without " << shapes.Omitted << " of "
+                                               << shapes.Omitted + shapes.Opaque
+                                               << " polygons, spheres and tubes, because they are "
+                                                  "translucent, or visible from one side only: "
+                                                  "these are looked up by depth.");
+  }
   const auto start = std::chrono::steady_clock::now();
   const cslf::Phase phase(this, "");
   this->Geometry = nullptr;
@@ -317,7 +326,8 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   {
     this->Geometry =
       cslf::MakeGeometryData(made->Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
-        { scene.Frame.Radius * made->Error.RootMeanSquare, made->Error.Loss, scene.Fingerprint });
+        { scene.Frame.Radius * made->Error.RootMeanSquare, made->Error.Loss, scene.Fingerprint,
+          shapes.Omitted > 0 });
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())

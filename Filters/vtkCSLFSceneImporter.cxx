@@ -23,11 +23,13 @@
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
 #include <vtkBoundingBox.h>
+#include <vtkCameraPass.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkImageMapper3D.h>
+#include <vtkImageProcessingPass.h>
 #include <vtkImageSlice.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -38,16 +40,21 @@
 #include <vtkPoints.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderPass.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderer.h>
+#include <vtkSequencePass.h>
 #include <vtkTexture.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
+cslfSetClampMacro(vtkCSLFSceneImporter, PixelSize, 1e-9, 1.0);
+cslfSetClampMacro(vtkCSLFSceneImporter, PointRadius, -1.0, cslf::options::PointRadius.Maximum);
 cslfGuardedRequestMacro(vtkCSLFSceneImporter);
 
 namespace
@@ -215,6 +222,44 @@ bool ShowsImport(vtkProp* prop, vtkRenderer* renderer)
     isShown = isShown || IsOfImport(part, renderer);
   }
   return isShown;
+}
+
+/// Passes that draw what a renderer without a pass draws, perhaps without jagged edges, or a part
+/// of it. ParaView's views always have a camera pass with its default pass.
+const char* const PlainPasses[] = { "vtkDefaultPass", "vtkPVDefaultPass", "vtkLightsPass",
+  "vtkOpaquePass", "vtkTranslucentPass", "vtkOrderIndependentTranslucentPass",
+  "vtkDepthPeelingPass", "vtkVolumetricPass", "vtkOverlayPass", "vtkOpenGLFXAAPass", "vtkSSAAPass",
+  "vtkClearZPass" };
+
+/// Records the passes that draw anything else, among those that a pass consists of.
+void MeetPasses(vtkRenderPass* pass, cslf::ImportedScene& scene)
+{
+  if (!pass)
+  {
+    return;
+  }
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
+    {
+      MeetPasses(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), scene);
+    }
+    return;
+  }
+  auto* camera = vtkCameraPass::SafeDownCast(pass);
+  auto* processing = vtkImageProcessingPass::SafeDownCast(pass);
+  const bool isPlain = camera ||
+    std::any_of(std::begin(PlainPasses), std::end(PlainPasses),
+      [pass](const char* name) { return pass->IsA(name) != 0; });
+  if (!isPlain)
+  {
+    scene.Meet(cslf::ImportLimit::RenderPasses, pass->GetClassName());
+  }
+  MeetPasses(camera ? camera->GetDelegatePass()
+      : processing  ? processing->GetDelegatePass()
+                    : nullptr,
+    scene);
 }
 
 bool HasLimit(int limit)
@@ -430,6 +475,7 @@ int vtkCSLFSceneImporter::RequestData(
   }
   cslf::Phase phase(this, "Importing the scene");
   cslf::ImportedScene scene;
+  scene.HasExactColors = this->ExactColors;
   const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -462,15 +508,19 @@ int vtkCSLFSceneImporter::RequestData(
       return 1;
     }
   }
-  if (renderer->GetPass())
+  MeetPasses(renderer->GetPass(), scene);
+  if (this->ExactColors)
   {
-    scene.Meet(cslf::ImportLimit::RenderPasses, renderer->GetPass()->GetClassName());
+    cslf::FinishExactColors(scene);
   }
-  cslf::FindEnvironment(renderer, scene);
-  cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
-  cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
-  lights.AddTo(scene.Lights);
-  cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  else
+  {
+    cslf::FindEnvironment(renderer, scene);
+    cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
+    cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
+    lights.AddTo(scene.Lights);
+    cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  }
   SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -539,6 +589,7 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
+  os << indent << "ExactColors: " << this->ExactColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

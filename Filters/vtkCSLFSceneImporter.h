@@ -20,7 +20,8 @@
  * - Scalars become colours as in the mapper: visibility, mode, array, component, colour mode,
  * lookup table and range. If the mapper interpolates scalars before mapping, the table becomes a
  * texture, as in the window. Otherwise, or if the actor has a texture, colours are those of points.
- * The table itself is not changed.
+ * The table itself is not changed. The output is marked as data with finished colours, see
+ * vtkCSLFMaterial, so no other array colours it.
  * - Lights, reflectances and emissions are chosen such that a surface that faces the light is
  * traced with the colour that the window shows, plus indirect light, see
  * Documentation/Materials.md.
@@ -110,10 +111,22 @@ public:
 
   ///@{
   /**
+   * Whether materials have the colours of scalars, textures and properties themselves, for
+   * vtkCSLFPathTracer::SetColorsToExact, which sets it for its renderer. Otherwise, they have the
+   * colours with which the lights make what the window shows. If on, coefficients of properties and
+   * the renderer's lights are left out. Default: off.
+   */
+  vtkSetMacro(ExactColors, bool);
+  vtkGetMacro(ExactColors, bool);
+  vtkBooleanMacro(ExactColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * The size of a pixel of a line's width or a point's size in the world, as a fraction of the
    * diagonal of the scene's bounding box. Range: 1e-9 to 1. Default: 0.001.
    */
-  vtkSetClampMacro(PixelSize, double, 1e-9, 1.0);
+  void SetPixelSize(double size);
   vtkGetMacro(PixelSize, double);
   ///@}
 
@@ -124,7 +137,7 @@ public:
    * point size (see vtkCSLFMaterial). Radii in the data take precedence. Range: -1 to 1e30.
    * Default: 0.
    */
-  vtkSetClampMacro(PointRadius, double, -1.0, 1e30);
+  void SetPointRadius(double radius);
   vtkGetMacro(PointRadius, double);
   void SetPointRadiusFromSpacing() { this->SetPointRadius(-1.0); }
   ///@}
@@ -168,6 +181,7 @@ private:
   vtkMTimeType KeptTime = 0;                 // of the deleted renderer
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
+  bool ExactColors = false;
   double PixelSize = 0.001;
   double PointRadius;
   bool FindingTime = false; // where the importer's own output is among what it looks at

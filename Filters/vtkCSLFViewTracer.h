@@ -65,7 +65,9 @@ public:
    */
   vtkSetMacro(ColorType, int);
   vtkGetMacro(ColorType, int);
+  /** sRGB-encoded bytes, for display as they are. */
   void SetColorTypeToUnsignedChar() { this->SetColorType(VTK_UNSIGNED_CHAR); }
+  /** Linear radiance, whose exposure can be changed when it is displayed. */
   void SetColorTypeToFloat() { this->SetColorType(VTK_FLOAT); }
   ///@}
 

@@ -58,9 +58,28 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
   this->Source = std::move(source);
   this->Present = Residency();
   this->Scene = SceneGrid(this->Source->GetDescription());
+  this->IsSceneNew = true;
+  this->OffSurfaces.reset();
+  this->Surfaces.reset();
   this->HasLoaded = false;
   this->Damaged = 0;
   this->Brought = 0;
+}
+
+void FieldTexture::SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces)
+{
+  if (this->Surfaces == surfaces)
+  {
+    return;
+  }
+  this->Surfaces = surfaces;
+  this->OffSurfaces.reset();
+  if (surfaces)
+  {
+    this->Present = Residency();
+    this->IsSceneNew = true;
+    this->OffSurfaces.emplace(this->Source->GetDescription(), surfaces);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +110,12 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewF
     if (isChanged || isAimed)
     {
       const bool isTableChanged = this->MakeTables();
-      this->MakeSceneTexture();
+      const bool isSceneNew = std::exchange(this->IsSceneNew, false);
+      MakeSceneTexture(this->Scene, isSceneNew, this->SceneTexture);
+      if (this->OffSurfaces)
+      {
+        MakeSceneTexture(*this->OffSurfaces, isSceneNew, this->OffSurfacesTexture);
+      }
       this->Changes += isChanged || isTableChanged ? 1 : 0;
     }
   }
@@ -179,6 +203,10 @@ void FieldTexture::Load(const WantedTiles& wanted)
   if (this->Present.CountNodes(wanted.Level) <= MostSceneNodes)
   {
     this->Scene.Add(wanted.Slice, samples, wanted.Tiles);
+    if (this->OffSurfaces)
+    {
+      this->OffSurfaces->Add(wanted.Slice, samples, wanted.Tiles);
+    }
   }
 }
 
@@ -277,34 +305,35 @@ bool FieldTexture::MakeTables()
   return isAnyChanged;
 }
 
-void FieldTexture::MakeSceneTexture()
+void FieldTexture::MakeSceneTexture(SceneGrid& scene, bool isNew, Handle& texture)
 {
-  if (!this->Scene.Spread() && this->SceneTexture != 0)
+  if (!scene.Spread() && !isNew && texture != 0)
   {
     return;
   }
-  if (this->SceneTexture == 0)
+  if (texture == 0)
   {
-    glGenTextures(1, &this->SceneTexture);
+    glGenTextures(1, &texture);
   }
   GLint alignment = 4;
   glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glBindTexture(GL_TEXTURE_3D, this->SceneTexture);
+  glBindTexture(GL_TEXTURE_3D, texture);
   SetNearest(GL_TEXTURE_3D);
   glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, SceneGrid::Cells, SceneGrid::Cells, SceneGrid::Cells, 0,
-    GL_RED, GL_UNSIGNED_BYTE, this->Scene.GetRings().data());
+    GL_RED, GL_UNSIGNED_BYTE, scene.GetRings().data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
 }
 
 //------------------------------------------------------------------------------
 // Drawing
 
-void FieldTexture::Activate(int entryFace)
+void FieldTexture::Activate(int entryFace, bool offSurfaces)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const Handle handles[] = { this->Pool.GetTexture(KnownChannel::Color),
-    this->Pool.GetTexture(KnownChannel::Depth), this->Tables[entryFace], this->SceneTexture };
+    this->Pool.GetTexture(KnownChannel::Depth), this->Tables[entryFace],
+    offSurfaces ? this->OffSurfacesTexture : this->SceneTexture };
   for (std::size_t i = 0; i < this->Units.size(); ++i)
   {
     if (this->Units[i] < 0)
@@ -373,8 +402,10 @@ void FieldTexture::Free()
   this->Pool.Free();
   glDeleteTextures(static_cast<GLsizei>(this->Tables.size()), this->Tables.data());
   glDeleteTextures(1, &this->SceneTexture);
+  glDeleteTextures(1, &this->OffSurfacesTexture);
   this->Tables.fill(0);
   this->SceneTexture = 0;
+  this->OffSurfacesTexture = 0;
   this->Present = Residency();
   this->Missing = 0;
   this->IsFirst = false;

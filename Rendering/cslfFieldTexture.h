@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ public:
 
   /// Sets the field. Samples in graphics memory become outdated.
   void SetSource(std::shared_ptr<ViewpointSource> source);
+
+  /// Sets where a geometry is that has only the opaque surfaces, or null. Samples in graphics
+  /// memory become outdated if it changes, because what they see elsewhere is not known then.
+  void SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces);
 
   /// Uploads the samples that these cameras can use to the window's graphics memory. Those that
   /// `recent` cameras have used stay if all of them fit. On failure nothing is kept and `error`
@@ -82,8 +87,9 @@ public:
   /// The size of the samples in graphics memory, in bytes.
   std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
 
-  /// Binds the textures of an entry face to texture units, until Deactivate.
-  void Activate(int entryFace);
+  /// Binds the textures of an entry face to texture units, until Deactivate. The scene's grid has
+  /// all surfaces, or only those that are not where the geometry is.
+  void Activate(int entryFace, bool offSurfaces = false);
   void Deactivate();
 
   /// Sets the uniforms of cslfField.glsl and cslfSceneGrid.glsl. The textures must be active.
@@ -103,7 +109,7 @@ private:
   void LoadSome(const TexturePace& pace);
   void Load(const WantedTiles& wanted);
   bool MakeTables();
-  void MakeSceneTexture();
+  static void MakeSceneTexture(SceneGrid& scene, bool isNew, Handle& texture);
   int FindFirstLayer(int entryFace, int tile) const;
   void Free();
 
@@ -114,6 +120,9 @@ private:
   TilePool Pool;
   Residency Present;
   SceneGrid Scene;
+  std::shared_ptr<const SurfaceCells> Surfaces;
+  std::optional<SceneGrid> OffSurfaces; ///< if there are surfaces
+  bool IsSceneNew = false;              ///< since the textures of both were made
   std::vector<ViewFrustum> Frustums;
   std::size_t Missing = 0;
   bool HasLoaded = false; ///< since the source was set
@@ -125,6 +134,7 @@ private:
   std::array<std::vector<float>, FaceCount> Cells; ///< of the tables
   std::array<TileSet, FaceCount> Tiles{};          ///< that can be looked up
   Handle SceneTexture = 0;
+  Handle OffSurfacesTexture = 0;
   std::array<int, 4> Units{ -1, -1, -1, -1 }; ///< colour, depth, table, scene
 };
 }

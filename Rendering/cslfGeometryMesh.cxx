@@ -38,8 +38,9 @@ bool AreOpaque(const std::vector<glm::vec4>& colors)
 }
 
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
-  vtkPolyData* geometry, const Cube& box, std::string& fault)
+  vtkPolyData* geometry, const Description& field, std::string& fault)
 {
+  const Cube& box = field.Box;
   fault = DescribeGeometryFault(geometry, box);
   if (!fault.empty() || !IsUsefulGeometry(geometry))
   {
@@ -61,6 +62,10 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = IsCompleteGeometry(geometry);
   mesh->Corners = ListCorners(triangles);
+  if (IsOpaqueGeometry(geometry))
+  {
+    mesh->Cells = std::make_shared<SurfaceCells>(field, mesh->PointsCC, mesh->Corners);
+  }
   const ClosedParts parts = SortClosedParts(mesh->PointsCC, mesh->Corners);
   mesh->ClosedCorners = parts.Corners;
   for (std::size_t point = 0; point < mesh->BackColors.size(); ++point)

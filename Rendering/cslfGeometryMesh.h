@@ -7,7 +7,8 @@
 #ifndef cslfGeometryMesh_h
 #define cslfGeometryMesh_h
 
-#include "cslfCube.h"
+#include "Lookup/cslfSceneGrid.h"
+#include "cslfDescription.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -37,12 +38,16 @@ struct GeometryMesh
 
   /// Whether it has all surfaces: rays that miss it see none.
   bool IsComplete = false;
+
+  /// Where it is, if it has only the opaque surfaces: rays may meet others. Otherwise null.
+  std::shared_ptr<const SurfaceCells> Cells;
 };
 
-/// The polygons and strips of a geometry as triangles, with its point data `Color` and `BackColor`.
+/// The polygons and strips of a field's geometry as triangles, with its point data `Color` and
+/// `BackColor`.
 /// Null if there are none, if it lost too much to be useful, or if it has a fault, which is told.
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
-  vtkPolyData* geometry, const Cube& box, std::string& fault);
+  vtkPolyData* geometry, const Description& field, std::string& fault);
 }
 
 #endif

@@ -55,12 +55,14 @@ constexpr float RestMark = 0.5F;
 /// them skip the others: each draws only behind this mark, and in front of what is drawn.
 constexpr float SurfaceMark = -0.9F;
 constexpr float EmptyMark = -0.8F;
+constexpr float FrontMark = -0.8F;
 constexpr float NearMark = -0.81F;
 constexpr float FarMark = -0.82F;
 constexpr float OtherMark = -0.83F;
-constexpr float OwnMark = -0.84F;
-constexpr float SeenMark = -0.85F;
-constexpr float UnseenMark = -0.86F;
+constexpr float CloseMark = -0.84F;
+constexpr float OwnMark = -0.85F;
+constexpr float SeenMark = -0.86F;
+constexpr float UnseenMark = -0.87F;
 /// The depth of pixels that no pass has drawn.
 constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::MissDC);
 
@@ -225,7 +227,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->IsSearched = isSearched;
   this->IsOnGeometry = isOnGeometry;
   this->Allocate(field);
-  this->Tools->Build(window, { view.Lookup, isSearched, isOnGeometry }, field.GetField());
+  const bool isOpaque = isOnGeometry && view.Geometry->Cells;
+  this->Tools->Build(window, { view.Lookup, isSearched, isOnGeometry, isOpaque }, field.GetField());
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -349,16 +352,27 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
   this->Tools->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->Tools->OnSurface, SurfaceMark);
+  const bool isOpaque = this->Current.Geometry->Cells != nullptr;
+  if (isOpaque)
+  {
+    this->Window->GetState()->vtkglDepthFunc(GL_GREATER);
+    this->DrawFaces(field, *this->Tools->Front, FrontMark, false, true);
+    this->Window->GetState()->vtkglDepthFunc(GL_LESS);
+  }
   const bool showsEnvironment = field.GetField().MayShowEnvironment();
   if (!this->Current.Geometry->IsComplete || showsEnvironment)
   {
     // What is hidden from the four views around such a ray is more often nothing than a surface.
-    this->DrawFaces(field, *this->Tools->Miss, EmptyMark);
-    this->DrawFaces(field, *this->Tools->Search, SearchMark);
+    this->DrawFaces(field, *this->Tools->Miss, EmptyMark, false, isOpaque);
+    this->DrawFaces(field, *this->Tools->Search, SearchMark, false, isOpaque);
   }
   if (showsEnvironment)
   {
     this->DrawFaces(field, *this->Tools->Rest, RestMark);
+  }
+  else if (isOpaque)
+  {
+    this->DrawFaces(field, *this->Tools->Around, RestMark, false, true);
   }
   this->DrawPoints(field);
   this->Tools->Surfaces.Deactivate();
@@ -374,6 +388,10 @@ void LookupPicture::DrawPoints(FieldTexture& field)
   if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
   {
     this->DrawFaces(field, *this->Tools->Other, OtherMark, true);
+  }
+  if (this->Current.Geometry->Cells)
+  {
+    this->DrawFaces(field, *this->Tools->Close, CloseMark);
   }
   this->DrawFaces(field, *this->Tools->Own, OwnMark, true);
   if (!this->Current.Geometry->HasColors)
@@ -464,7 +482,7 @@ void LookupPicture::DrawMarks(vtkOpenGLQuadHelper& quad, float markDC)
 
 // Over each entry face, or each time over the whole picture.
 void LookupPicture::DrawFaces(
-  FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole)
+  FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole, bool offSurfaces)
 {
   vtkShaderProgram* program = quad.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
@@ -472,7 +490,7 @@ void LookupPicture::DrawFaces(
   {
     if (this->Current.EntryFaces[face])
     {
-      field.Activate(face);
+      field.Activate(face, offSurfaces);
       field.SetUniforms(program, face);
       this->SetViewUniforms(program, face);
       program->SetUniformi("IsWhole", isWhole || this->Current.IsEyeInside);

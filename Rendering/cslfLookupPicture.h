@@ -110,8 +110,8 @@ private:
   /// The picture's pixels from their rays.
   void DrawMeans();
   void DrawMarks(vtkOpenGLQuadHelper& quad, float markDC);
-  void DrawFaces(
-    FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole = false);
+  void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole = false,
+    bool offSurfaces = false);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< that has the textures

@@ -92,7 +92,7 @@ LookupTools::~LookupTools() = default;
 bool LookupTools::Method::operator==(const Method& other) const
 {
   return this->Lookup == other.Lookup && this->IsSearched == other.IsSearched &&
-    this->IsOnGeometry == other.IsOnGeometry;
+    this->IsOnGeometry == other.IsOnGeometry && this->IsOpaque == other.IsOpaque;
 }
 
 // Branches cost time even if they are not taken, so each program has only its own lookup.
@@ -145,6 +145,15 @@ void LookupTools::Build(
     this->Other = build(point, "LookupFar", "\n#define OTHER_FACE");
     this->Own = build(point, "LookupOwn", "\n#define ANY_FACE");
     this->Miss = build(ray, "LookupEmpty");
+    if (method.IsOpaque)
+    {
+      std::string front = cslfPictureFS;
+      vtkShaderProgram::Substitute(
+        front, "//CSLF::Lookup::Dec", functions + cslfNormalsGLSL + cslfSurfaceGLSL);
+      this->Front = build(front, "LookupInFront");
+      this->Close = build(front, "LookupClose");
+      this->Around = build(ray, "LookupAround");
+    }
   }
   else if (method.IsSearched)
   {
@@ -166,7 +175,8 @@ void LookupTools::Build(
 void LookupTools::ReleasePrograms()
 {
   for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
-         &this->Mean, &this->OnSurface, &this->Near, &this->Far, &this->Other, &this->Own })
+         &this->Mean, &this->OnSurface, &this->Front, &this->Close, &this->Around, &this->Near,
+         &this->Far, &this->Other, &this->Own })
   {
     program->reset();
   }

@@ -58,6 +58,7 @@ struct LookupTools
     int Lookup = -1;           ///< vtkCSLFMapper::LookupType
     bool IsSearched = false;   ///< by depth or geometry, which takes several passes
     bool IsOnGeometry = false; ///< rays that meet the geometry are not searched
+    bool IsOpaque = false;     ///< except for what they meet before, which the geometry lacks
 
     bool operator==(const Method& other) const;
   };
@@ -82,6 +83,9 @@ struct LookupTools
     Rest; ///< pixels for which the search found no visible surface
   std::unique_ptr<vtkOpenGLQuadHelper> Mean;      ///< the rays of a pixel
   std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks these rays
+  std::unique_ptr<vtkOpenGLQuadHelper> Around;    ///< what it lacks, by views farther around
+  std::unique_ptr<vtkOpenGLQuadHelper> Front;     ///< what it lacks in front of it
+  std::unique_ptr<vtkOpenGLQuadHelper> Close;     ///< the same, close to it
   std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
   std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
   std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces

@@ -77,6 +77,7 @@ public:
   void SetGeometry(const std::shared_ptr<const cslf::GeometryMesh>& geometry)
   {
     this->View.Geometry = geometry;
+    this->Texture.SetSurfaces(geometry ? geometry->Cells : nullptr);
   }
 
   /// How radiance becomes colour.

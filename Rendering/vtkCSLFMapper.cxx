@@ -117,6 +117,7 @@ std::vector<glm::dvec4> vtkCSLFMapper::vtkInternals::GetClippingPlanesCC(
 vtkStandardNewMacro(vtkCSLFMapper);
 cslfSetOptionMacro(vtkCSLFMapper, Lookup, Lookup);
 cslfSetOptionMacro(vtkCSLFMapper, PixelSamples, PixelSamples);
+cslfSetClampMacro(vtkCSLFMapper, TextureMemoryLimit, 0, VTK_TYPE_INT64_MAX);
 
 namespace options = cslf::options;
 
@@ -284,8 +285,9 @@ void vtkCSLFMapper::UpdateGeometry()
   internals.CheckedGeometry = geometry;
   internals.CheckedGeometryTime = time;
   std::string fault;
-  internals.Geometry =
-    geometry ? cslf::MakeGeometryMesh(geometry, internals.GetCube(), fault) : nullptr;
+  internals.Geometry = geometry
+    ? cslf::MakeGeometryMesh(geometry, internals.Source->GetDescription(), fault)
+    : nullptr;
   if (!fault.empty())
   {
     vtkWarningMacro("The geometry is not used: " << fault << ".");

@@ -109,11 +109,17 @@ public:
    */
   void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
+  /** The nearest viewpoint, and the nearest texel. */
   void SetLookupToNearest() { this->SetLookup(NEAREST); }
+  /** The nearest viewpoint, and interpolated texels. */
   void SetLookupToLinear() { this->SetLookup(LINEAR); }
+  /** Interpolates viewpoints and texels: sharp on the far faces of the cube. */
   void SetLookupToBilinear() { this->SetLookup(BILINEAR); }
+  /** Interpolates both, aimed at the focal point: sharp there. */
   void SetLookupToFocal() { this->SetLookup(FOCAL); }
+  /** Aimed at the surface that the depth channel tells: sharp everywhere. */
   void SetLookupToDepth() { this->SetLookup(DEPTH); }
+  /** Aimed at the field's geometry, seen by all viewpoints that see it: the sharpest. */
   void SetLookupToGeometry() { this->SetLookup(GEOMETRY); }
   const char* GetLookupAsString();
   ///@}
@@ -209,7 +215,7 @@ public:
    * exceeds the limit, the grid of viewpoints is fine around the middle of the view and coarser
    * elsewhere. From inside the cube, the whole field is used. Default: 2 GiB.
    */
-  vtkSetClampMacro(TextureMemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  void SetTextureMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(TextureMemoryLimit, vtkTypeInt64);
   ///@}
 

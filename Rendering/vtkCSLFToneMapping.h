@@ -49,8 +49,11 @@ public:
    */
   void SetCurve(int curve);
   vtkGetMacro(Curve, int);
+  /** Values above white are displayed as white. */
   void SetCurveToClamp() { this->SetCurve(Clamp); }
+  /** Divides by 1 plus the luminance, which preserves hues. */
   void SetCurveToReinhard() { this->SetCurve(Reinhard); }
+  /** A film-like curve. */
   void SetCurveToACES() { this->SetCurve(ACES); }
   const char* GetCurveAsString();
   ///@}

@@ -40,7 +40,9 @@ unpack_sdk()
   echo "$version" >"$sdk/version"
 }
 
-cslf_install "${cslf_packages[@]}"
+# What the plugin needs, without the packages of the tool and its tests. ParaView itself needs many
+# Python packages, on which Debian makes it depend.
+cslf_install "${cslf_library_packages[@]}"
 if [ -z "${ParaView_DIR:-}" ]; then
   cslf_install paraview libqt5svg5 python3-mpi4py python3-numpy openmpi-bin
   unpack_sdk
@@ -49,3 +51,11 @@ fi
 cd "$source"
 cmake --preset paraview "-DParaView_DIR=$ParaView_DIR"
 cmake --build --preset paraview
+plugin="$(echo "$source"/build/paraview/lib/paraview-*/plugins/CSLFPlugin/CSLFPlugin.so)"
+cat <<END
+
+The plugin is built: $plugin
+To load it in ParaView: Tools > Manage Plugins > Load New, with this file. Or start ParaView with it:
+  PV_PLUGIN_PATH="$(dirname "$(dirname "$plugin")")" paraview
+Then try Sources > CSLF and Filters > CSLF; Documentation/ParaView.md has the first steps.
+END

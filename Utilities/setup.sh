@@ -3,23 +3,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Sourced by the scripts beside it: installs what CSLF needs on a bare Debian, and builds it.
-#   cslf_install PACKAGE...    installs the Debian packages that are missing
+#   cslf_install PACKAGE...    installs the Debian packages that are missing, such as those of the
+#                              lists cslf_library_packages and cslf_packages
 #   cslf_build [TARGET...]     configures and builds the preset "release"
 # Sets `source`, the source folder, and `build`, the build folder.
 
 source="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$source/build/release"
 
+# The dependencies of the library and its Python modules, and a display for tests.
+cslf_library_packages=(
+  cmake g++ ninja-build pkg-config
+  libvtk9-dev libpython3-dev python3
+  libembree-dev libglu1-mesa-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev nlohmann-json3-dev zlib1g-dev
+  libavcodec-dev libavformat-dev libavutil-dev
+  xauth xvfb)
+
 # The dependencies of the library, the tool, the Python package and the tests.
 cslf_packages=(
-  cmake g++ ninja-build pkg-config
-  libvtk9-dev libpython3-dev python3 python3-vtk9
-  libembree-dev libglu1-mesa-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
-  libavcodec-dev libavformat-dev libavutil-dev
+  "${cslf_library_packages[@]}"
+  python3-vtk9 libcli11-dev
   dpkg-dev file  # for the test of the Debian package
   ffmpeg python3-numpy  # for the test of the independent reader
-  qemu-user  # for the test of other processors
-  xauth xvfb)
+  qemu-user)  # for the test of other processors
 
 cslf_is_installed()
 {

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf sample: samples a scene as a light field.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfGeometryFiles.h"
+#include "Files/cslfFileSystem.h"
 #include "Options/cslfIntegratorOptions.h"
+#include "Pictures/cslfPictures.h"
+#include "Pictures/cslfScenePicture.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
@@ -46,6 +50,9 @@ struct Options
   IntegratorOptions Integrator{ vtkCSLFPathTracer::RadianceCaching };
   CodingOptions Coding;
   std::string Output;
+  std::string Picture;              ///< empty for none
+  std::vector<std::string> Implied; ///< outputs that the command line does not name
+  bool Overwrite = false;           ///< whether these may be replaced
   int Viewpoints = options::Viewpoints.Default;
   int Resolution = options::Resolution.Default;
   double Offset = options::Offset.Default;
@@ -233,10 +240,42 @@ Result Estimate(const Options&)
 }
 #endif
 
+/// Names the field and the picture after the scene, in the current folder.
+void NameOutputs(Options& options)
+{
+  const std::string name = ToName(ToPath(options.Scene.GetFirst()).stem());
+  options.Output = name + ".mp4";
+  options.Implied.push_back(options.Output);
+  if (options.Picture.empty())
+  {
+    options.Picture = name + ".png";
+    options.Implied.push_back(options.Picture);
+  }
+}
+
+/// Checks that a picture can be written, and that nothing is replaced that the command line does
+/// not name.
+void CheckOutputs(const Options& options)
+{
+  if (!options.Picture.empty())
+  {
+    RequirePicture(options.Picture);
+    options.Scene.RequireOther(options.Picture);
+  }
+  for (const std::string& name : options.Implied)
+  {
+    if (!options.Overwrite)
+    {
+      RequireReplaceable(name);
+    }
+  }
+}
+
 Result Run(const Options& options)
 {
   const auto start = std::chrono::steady_clock::now();
   CheckCube(options);
+  CheckOutputs(options);
   const FieldWriter writer(options.Output, options.Coding);
   CheckFormat(options, writer.GetFormat());
   options.Scene.RequireOther(options.Output);
@@ -245,6 +284,10 @@ Result Run(const Options& options)
     options.Scene.RequireOther(GetGeometryName(options.Output));
   }
   const Scene scene = options.Scene.Read();
+  if (!options.Picture.empty() && IsFirstRank())
+  {
+    WriteScenePicture(options.Picture, options.Scene, scene);
+  }
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
   ChooseSamples(options, writer.GetFormat(), sampler);
@@ -266,7 +309,14 @@ Result Run(const Options& options)
   result.JSON["bytes"] = CountBytes(options.Output);
   result.JSON["seconds"] = seconds;
   result.JSON.update(coding);
+  result.JSON["legend"] = scene.Legend;
   std::ostringstream text;
+  text << DescribeLegend(scene.Legend);
+  if (!options.Picture.empty())
+  {
+    result.JSON["picture"] = options.Picture;
+    text << options.Picture << "\n";
+  }
   text << options.Output << ": " << file.Field.Grid.GetSlices() << " viewpoints, "
        << CountBytes(options.Output) << " bytes" << DescribeCoding(coding) << ", " << seconds
        << " s\n";
@@ -296,22 +346,38 @@ void AddChannels(CLI::App& command, Options& options, const std::string& group)
 
 void AddField(CLI::App& command, Options& options)
 {
-  command.add_option(
-    "-o,--output", options.Output, std::string("the light field: ") + FieldFormats);
+  command
+    .add_option("-o,--output", options.Output,
+      std::string("the light field: ") + FieldFormats +
+        " (default: the name of the scene with .mp4, and a picture, .png, in the current folder)")
+    ->type_name(FilePlaceholder);
+  command
+    .add_option("--picture", options.Picture,
+      std::string("also write a picture of the scene before the light field is sampled: ") +
+        PictureFormats)
+    ->type_name(FilePlaceholder);
+  command.add_flag("--overwrite", options.Overwrite,
+    "replace existing files that have the default names (those that -o and --picture name are "
+    "always replaced)");
   command.add_flag("--estimate", options.Estimate,
     "predict the time and file size by a short probe, and write nothing");
   command
     .add_option("--time-budget", options.TimeBudget,
-      "take as many samples per texel as fit into this number of seconds, instead of --spp")
-    ->check(Positive());
+      "take as many samples per texel as fit into this time, instead of --spp: a number of "
+      "seconds, or for example 30min or 2h")
+    ->check(Positive())
+    ->transform(Seconds())
+    ->type_name(TimePlaceholder);
   CLI::Option* psnr = command.add_option("--suggest-for-novel-psnr", options.SuggestForPSNR,
     "with --estimate: suggest -M and -N of the smallest video whose novel views reach this PSNR in "
     "dB");
   psnr->check(Positive());
   command
     .add_option("--suggest-for-size", options.SuggestForSize,
-      "with --estimate: suggest -M and -N of the best video of at most this number of bytes")
+      "with --estimate: suggest -M and -N of the best video of at most this size, for example 20MB")
     ->check(Positive())
+    ->transform(Bytes())
+    ->type_name(SizePlaceholder)
     ->excludes(psnr);
   const std::string field = "Light field";
   AddOption(command, cslf::options::Viewpoints, options.Viewpoints)->group(field);
@@ -334,6 +400,7 @@ void AddField(CLI::App& command, Options& options)
       "edges of the cube, with --center: one length, or three along X, Y, Z")
     ->expected(1, 3)
     ->check(Positive())
+    ->type_name("LENGTH")
     ->group(field);
   AddChannels(command, options, field);
   command.add_flag("--float", options.Float, "store linear float colours instead of sRGB bytes")
@@ -344,6 +411,8 @@ void AddField(CLI::App& command, Options& options)
 void AddSample(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("sample", "Sample a light field from a scene");
+  command->footer(MakeFooter({ "cslf sample dragon.ply --quality preview",
+    "cslf sample cornell-box -M 9 -N 128 -o box.mp4" }));
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   AddField(*command, *options);
@@ -371,7 +440,7 @@ void AddSample(CLI::App& app, Command& chosen)
       }
       if (options->Output.empty() && !options->Estimate)
       {
-        throw CLI::RequiredError("--output");
+        NameOutputs(*options);
       }
       SetShared(!options->Estimate && IsVideo(options->Output));
       chosen = [options] { return options->Estimate ? Estimate(*options) : Run(*options); };

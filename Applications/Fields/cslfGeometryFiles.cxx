@@ -179,6 +179,16 @@ void WriteGeometry(
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->EncodeAppendedDataOff();
   writer->SetInputData(written);
-  WriteWhole(writer.Get(), GetGeometryName(fieldName));
+  const std::string name = GetGeometryName(fieldName);
+  OutputFile file(name);
+  WriteTemporary(writer.Get(), file);
+  // Whoever may not read the field may not read its surfaces either.
+  std::error_code failure;
+  if (!std::filesystem::exists(ToPath(name), failure))
+  {
+    std::filesystem::permissions(ToPath(file.GetTemporaryName()),
+      std::filesystem::status(ToPath(fieldName), failure).permissions(), failure);
+  }
+  file.Publish();
 }
 }

@@ -24,11 +24,13 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkSMPTools.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVertexGlyphFilter.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLGenericDataObjectReader.h>
 #include <vtkXMLPartitionedDataSetCollectionReader.h>
@@ -218,6 +220,11 @@ public:
 
   vtkSmartPointer<vtkPolyData> Make(vtkDataSet* data)
   {
+    auto* points = vtkPointSet::SafeDownCast(data);
+    if (points && points->GetNumberOfCells() == 0 && points->GetNumberOfPoints() > 0)
+    {
+      return this->ShowPoints(points);
+    }
     if (auto* polyData = vtkPolyData::SafeDownCast(data))
     {
       return polyData;
@@ -271,6 +278,20 @@ public:
   }
 
 private:
+  /// Points without cells, as of particles.
+  vtkSmartPointer<vtkPolyData> ShowPoints(vtkPointSet* data)
+  {
+    auto copy = vtkSmartPointer<vtkPointSet>::Take(data->NewInstance());
+    copy->ShallowCopy(data);
+    RemoveShortArrays(copy->GetPointData(), copy->GetNumberOfPoints(), this->Removed);
+    vtkNew<vtkVertexGlyphFilter> filter;
+    filter->SetInputData(copy);
+    filter->Update();
+    vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+    result->GetFieldData()->ShallowCopy(data->GetFieldData());
+    return result;
+  }
+
   void AddColors(vtkPolyData* surface)
   {
     if (surface->GetNumberOfCells() == 0)

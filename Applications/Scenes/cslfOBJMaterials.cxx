@@ -73,7 +73,8 @@ private:
     if (keyword == "newmtl")
     {
       // The first of equal names counts.
-      const auto [made, isNew] = this->Materials.emplace(this->Lines.GetRest(1), OBJMaterial());
+      const auto [made, isNew] =
+        this->Materials.emplace(DropComment(this->Lines.GetRest(1)), OBJMaterial());
       this->Current = isNew ? &made->second : &this->Repeated;
     }
     else if (keyword[0] == '#' || harmless.count(keyword) > 0)
@@ -94,7 +95,16 @@ private:
   {
     if (keyword == "Kd")
     {
-      material.Color = this->ReadColor(1.0);
+      material.Color = this->ReadColor(VTK_FLOAT_MAX);
+      for (std::size_t i = 0; material.Color && i < 3; ++i)
+      {
+        double& component = (*material.Color)[i];
+        if (component > 1.0)
+        {
+          this->Ignored.insert("Kd above 1, which counts as 1");
+          component = 1.0;
+        }
+      }
     }
     else if (keyword == "Ke")
     {
@@ -258,8 +268,29 @@ void TransformTCoords(const OBJTexture& texture, vtkPolyData* block)
 }
 }
 
+std::string DropComment(std::string name)
+{
+  for (std::size_t place = name.find('#'); place != std::string::npos;
+       place = name.find('#', place + 1))
+  {
+    const bool isComment = place > 0 && IsSpace(name[place - 1]) &&
+      (place + 1 == name.size() || IsSpace(name[place + 1]));
+    if (isComment)
+    {
+      name.erase(place);
+      name.erase(name.find_last_not_of(" \t") + 1);
+      break;
+    }
+  }
+  return name;
+}
+
 std::string FindBeside(const fs::path& folder, std::string name)
 {
+  if (name.size() > 2 && name.front() == '"' && name.back() == '"')
+  {
+    name = name.substr(1, name.size() - 2);
+  }
   std::replace(name.begin(), name.end(), '\\', '/');
   const fs::path path = folder / ToPath(name);
   const fs::path beside = folder / path.filename();

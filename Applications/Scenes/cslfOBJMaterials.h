@@ -21,8 +21,12 @@ class vtkPolyData;
 namespace cslf::tool
 {
 /// The file of that name beside one in a folder, or else the one in the same folder: the paths of
-/// other computers do not exist on this one, and those of Windows have other separators.
+/// other computers do not exist on this one, and those of Windows have other separators. Quotes
+/// around the name are left out.
 std::string FindBeside(const std::filesystem::path& folder, std::string name);
+
+/// The name of a material without a comment behind it. "Material #1" is a name.
+std::string DropComment(std::string name);
 
 /// An image that multiplies a colour, and how texture coordinates are changed for it.
 struct OBJTexture

@@ -111,6 +111,7 @@ public:
       this->AddAllVertices();
     }
     this->CheckCorners();
+    this->UsePaint();
     if (this->Short > 0)
     {
       AddWarning(std::to_string(this->Short) + " line(s) and face(s) of " + this->FileName +
@@ -153,11 +154,15 @@ private:
     }
     else if (command == "usemtl")
     {
-      this->Material = this->Lines.GetRest(1);
+      this->Material = DropComment(this->Lines.GetRest(1));
     }
     else if (command == "mtllib")
     {
       this->AddLibraries();
+    }
+    else if (command == "#MRGB" && this->Lines.GetWords().size() > 1)
+    {
+      this->ReadPaint(this->Lines.GetWords()[1]);
     }
     else if (freeForms.count(command) > 0)
     {
@@ -217,6 +222,37 @@ private:
     else if (!colors.empty())
     {
       colors.push_back(White);
+    }
+  }
+
+  /// ZBrush's colours of the next vertices: a mask, which is not shown, red, green and blue, of two
+  /// hexadecimal digits each.
+  void ReadPaint(std::string_view digits)
+  {
+    for (; digits.size() >= 8; digits.remove_prefix(8))
+    {
+      std::uint32_t number = 0;
+      const auto result = std::from_chars(digits.data(), digits.data() + 8, number, 16);
+      if (result.ptr != digits.data() + 8)
+      {
+        break;
+      }
+      this->Paint.push_back({ ((number >> 16) & 255) / 255.0, ((number >> 8) & 255) / 255.0,
+        (number & 255) / 255.0, 1.0 });
+    }
+    this->IsPaintSound = this->IsPaintSound && digits.empty();
+  }
+
+  void UsePaint()
+  {
+    if (this->IsPaintSound && this->Paint.size() == this->Found.Vertices.size() &&
+      this->Found.Colors.empty())
+    {
+      this->Found.Colors = std::move(this->Paint);
+    }
+    else if (!this->Paint.empty() || !this->IsPaintSound)
+    {
+      this->Ignored.insert("#MRGB that does not fit the vertices");
     }
   }
 
@@ -374,6 +410,8 @@ private:
   std::string Material;
   std::vector<std::string> Libraries;
   std::vector<double> Numbers; // of the line
+  std::vector<std::array<double, 4>> Paint;
+  bool IsPaintSound = true;
   std::set<std::string> Ignored;
   std::size_t Short = 0;
   bool IsIncomplete = false; // the last line

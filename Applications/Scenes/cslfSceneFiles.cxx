@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneFiles.h"
 
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
@@ -34,6 +35,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -202,8 +204,8 @@ constexpr const char* InputHelp =
   ".pvd and parallel ones such as .pvtu), or names that cslf scenes lists";
 
 constexpr const char* EnvironmentHelp =
-  "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
-  "image (default: for files white, and for scenes by name their own light)";
+  "environment light instead of --light: white, gradient (white above, dark below), none, or the "
+  "file of a lat-long image";
 
 /// Takes a field's sampling parameter for a row's value that the command line does not give.
 template <typename T>
@@ -231,6 +233,24 @@ void TakeDefault(
     AddWarning(std::string("The field's sampling parameter ") + row.Key + " is invalid.");
   }
 }
+
+/// Three numbers of a field's sampling parameters. False if there are none.
+bool FindTriple(const nlohmann::json& from, const char* key, std::array<double, 3>& value)
+{
+  const auto found = from.find(key);
+  const bool isThere = found != from.end() && found->is_array() && found->size() == value.size() &&
+    std::all_of(found->begin(), found->end(), [](const auto& item) { return item.is_number(); });
+  if (isThere)
+  {
+    found->get_to(value);
+  }
+  return isThere;
+}
+}
+
+bool IsSceneName(const std::string& input)
+{
+  return vtkCSLFSceneSource::HasScene(input.c_str()) || FindReader(GetReaders(), input);
 }
 
 Part ReadScenePart(const std::string& input)
@@ -323,7 +343,7 @@ void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) cons
 
 void SceneOptions::AddInputsTo(CLI::App& command)
 {
-  command.add_option("input", this->Inputs, InputHelp)->required();
+  command.add_option("input", this->Inputs, InputHelp)->type_name(ScenePlaceholder)->required();
 }
 
 void SceneOptions::AddTo(CLI::App& command)
@@ -334,24 +354,29 @@ void SceneOptions::AddTo(CLI::App& command)
 
 void SceneOptions::AddOptionalTo(CLI::App& command)
 {
-  command.add_option("input,--scene", this->Inputs, InputHelp);
+  command.add_option("input,--scene", this->Inputs, InputHelp)->type_name(ScenePlaceholder);
   this->AddLightAndMaterialTo(command);
 }
 
 void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 {
   this->Command = &command;
+  this->Look.AddTo(command);
   const std::string light = "Light";
   vtkCSLFEnvironment* environment = this->Light;
   command
     .add_option_function<std::string>(
       options::EnvironmentMode.Flag, [this](const std::string& name) { this->ChooseLight(name); },
       EnvironmentHelp)
-    ->group(light);
+    ->type_name(FilePlaceholder)
+    ->check(Suggest("white, gradient, none"))
+    ->group(light)
+    ->excludes(command.get_option("--light"));
   AddOption(command, options::EnvironmentIntensity, environment, &vtkCSLFEnvironment::SetIntensity)
     ->group(light);
   AddOption(command, options::ShowEnvironment, environment, &vtkCSLFEnvironment::SetShow)
     ->group(light);
+  AddOption(command, options::Colors, this->Colors)->group(light);
   AddOption(command, options::Exposure, this->Exposure, Positive())->group(light);
   AddOption(command, options::MaximumDepth, this->MaximumDepth)->group(light);
   const std::string material = "Material of the scene, except for cornell-box";
@@ -364,36 +389,58 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
       options::BaseColor.Help +
         std::string("; replaces the colours of the files (default: their colours, or gray)"))
     ->expected(3)
-    ->check(CLI::Range(0.0, 1.0))
+    ->check(Between(0.0, 1.0))
+    ->type_name("R G B")
     ->group(material);
   AddOption(command, options::PointRadius, this->PointRadius)->group(material);
 }
 
 void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
 {
+  const bool hasColors = this->Command && this->Command->count(options::Colors.Flag) > 0;
+  const auto colors = sampling.find(options::Colors.Key);
+  if (!hasColors && colors != sampling.end() && *colors == options::Colors.Names[1])
+  {
+    this->Colors = vtkCSLFPathTracer::Exact;
+  }
   TakeDefault(this->Command, sampling, options::Exposure, this->Exposure);
   TakeDefault(this->Command, sampling, options::MaximumDepth, this->MaximumDepth);
   const auto found = sampling.find("environment");
-  const bool isDescribed = found != sampling.end() && found->is_object();
-  const nlohmann::json environment = isDescribed ? *found : nlohmann::json::object();
+  if (found != sampling.end() && found->is_object())
+  {
+    this->TakeLight(*found);
+  }
+}
+
+/// Takes the environment of a field, unless the command line chooses another one.
+void SceneOptions::TakeLight(const nlohmann::json& environment)
+{
   double intensity = this->Light->GetIntensity();
   TakeDefault(this->Command, environment, options::EnvironmentIntensity, intensity);
   this->Light->SetIntensity(intensity);
   const auto named = environment.find(options::EnvironmentMode.Key);
   const std::string mode = named != environment.end() && named->is_string() ? *named : "";
-  if (!this->IsLightChosen && mode == "image")
+  if (this->IsLightChosen || this->Look.IsLightGiven() || mode.empty() || mode == "scene")
+  {
+    return;
+  }
+  if (mode == "image")
   {
     throw Failure("The field was sampled with an environment image: specify it by --environment.");
   }
-  if (!this->IsLightChosen && !mode.empty() && mode != "scene")
+  this->ChooseLight(mode == "none" || mode == "gradient" ? mode : WhiteEnvironment);
+  std::array<double, 3> value;
+  if (FindTriple(environment, options::EnvironmentColor.Key, value))
   {
-    const nlohmann::json white = { 1.0, 1.0, 1.0 };
-    if (environment.value(options::EnvironmentColor.Key, white) != white)
-    {
-      AddWarning(
-        "The field was sampled with a coloured environment; it is measured with a white one.");
-    }
-    this->ChooseLight(mode == "none" || mode == "gradient" ? mode : WhiteEnvironment);
+    this->Light->SetColor(value.data());
+  }
+  if (FindTriple(environment, options::EnvironmentBottomColor.Key, value))
+  {
+    this->Light->SetBottomColor(value.data());
+  }
+  if (FindTriple(environment, options::EnvironmentUp.Key, value))
+  {
+    this->Light->SetUp(value.data());
   }
 }
 
@@ -405,14 +452,21 @@ bool SceneOptions::HasCornellBox() const
 Scene SceneOptions::Read() const
 {
   Scene scene;
-  for (const std::string& input : this->Inputs)
+  std::vector<vtkPolyData*> surfaces;
+  for (std::size_t i = 0; i < this->Inputs.size(); ++i)
   {
-    scene.Parts.push_back(ReadScenePart(input));
-    if (input != CornellBoxName)
+    scene.Parts.push_back(ReadScenePart(this->Inputs[i]));
+    if (this->Inputs[i] != CornellBoxName)
     {
       this->SetMaterial(scene.Parts.back());
     }
+    if (this->IsFile(i))
+    {
+      tool::ForEachPolyData(
+        scene.Parts.back(), [&surfaces](vtkPolyData* surface) { surfaces.push_back(surface); });
+    }
   }
+  scene.Legend = this->Look.SetColors(surfaces);
   std::error_code failure;
   if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment &&
     !std::filesystem::is_regular_file(ToPath(this->Light->GetFileName()), failure))
@@ -420,6 +474,12 @@ Scene SceneOptions::Read() const
     throw Failure(std::string("There is no environment image ") + this->Light->GetFileName() + ".");
   }
   return scene;
+}
+
+/// Whether an input is a file, not the name of a scene.
+bool SceneOptions::IsFile(std::size_t input) const
+{
+  return !vtkCSLFSceneSource::HasScene(this->Inputs[input].c_str());
 }
 
 void SceneOptions::ChooseLight(const std::string& name)
@@ -438,11 +498,11 @@ void SceneOptions::ChooseLight(const std::string& name)
 
 void SceneOptions::RequireOther(const std::string& output) const
 {
-  for (const std::string& input : this->Inputs)
+  for (std::size_t i = 0; i < this->Inputs.size(); ++i)
   {
-    if (!vtkCSLFSceneSource::HasScene(input.c_str()))
+    if (this->IsFile(i))
     {
-      tool::RequireOther(input, output);
+      tool::RequireOther(this->Inputs[i], output);
     }
   }
   if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment && this->Light->GetFileName())
@@ -480,19 +540,30 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
 
 void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
 {
+  bool hasLights = false;
   for (const Part& part : scene.Parts)
   {
     tracer->AddInputDataObject(0, part);
+    hasLights = hasLights || HasLights(part);
+  }
+  if (const auto lights = this->Look.MakeLights())
+  {
+    tracer->AddInputDataObject(0, lights);
   }
   const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
     [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
-  if (!this->IsLightChosen && named != this->Inputs.end())
+  if (this->Look.IsLightGiven() || (!this->IsLightChosen && named == this->Inputs.end()))
+  {
+    this->Look.SetUpSky(hasLights, this->Light);
+  }
+  else if (!this->IsLightChosen)
   {
     vtkNew<vtkCSLFSceneSource> source;
     source->SetSceneName(named->c_str());
     source->SetUpEnvironment(this->Light);
   }
   tracer->SetEnvironment(this->Light);
+  tracer->SetColors(this->Colors);
   tracer->SetExposure(this->Exposure);
   tracer->SetMaximumDepth(this->MaximumDepth);
 }

@@ -9,6 +9,7 @@
 
 #include "Options/cslfOptionTable.h"
 #include "cslfJSON.h"
+#include "cslfSceneLook.h"
 #include "vtkCSLFEnvironment.h"
 
 #include <vtkSmartPointer.h>
@@ -34,6 +35,7 @@ class Scene
 {
 public:
   std::vector<vtkSmartPointer<vtkDataObject>> Parts;
+  nlohmann::json Legend; ///< what colours files, see SceneLook
 
   /// The bounds of all cells and of their instances, in VTK's order. A unit box around the origin
   /// if there are none.
@@ -42,6 +44,10 @@ public:
   /// Visits the polygonal data of all parts.
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
+
+/// Whether a scene has that name, or a file's extension is that of scenes. Light fields may have
+/// the same.
+bool IsSceneName(const std::string& input);
 
 /// Reads one file of a scene, or makes the scene of vtkCSLFSceneSource that has this name. Throws a
 /// Failure if nothing is visible.
@@ -60,6 +66,9 @@ public:
   /// The files only.
   void AddInputsTo(CLI::App& command);
 
+  /// Adds a scene before those of the command line.
+  void AddFirst(const std::string& input) { this->Inputs.insert(this->Inputs.begin(), input); }
+
   /// Takes defaults for the command line from a field's sampling parameters.
   void TakeDefaults(const nlohmann::json& sampling);
 
@@ -72,6 +81,11 @@ public:
   /// Throws a Failure if writing a file would replace one of the inputs or the environment image.
   void RequireOther(const std::string& output) const;
 
+  const SceneLook& GetLook() const { return this->Look; }
+
+  /// The first of the inputs.
+  const std::string& GetFirst() const { return this->Inputs.front(); }
+
   bool IsEmpty() const { return this->Inputs.empty(); }
 
   /// Whether the Cornell box is among the inputs.
@@ -82,7 +96,11 @@ private:
   void ChooseLight(const std::string& name);
   void SetMaterial(vtkDataObject* part) const;
 
+  void TakeLight(const nlohmann::json& environment);
+  bool IsFile(std::size_t input) const;
+
   std::vector<std::string> Inputs;
+  SceneLook Look;
   std::optional<double> Roughness;
   std::optional<double> Metallic;
   std::optional<std::vector<double>> BaseColor;
@@ -90,6 +108,7 @@ private:
   vtkSmartPointer<vtkCSLFEnvironment> Light = vtkSmartPointer<vtkCSLFEnvironment>::New();
   bool IsLightChosen = false; ///< otherwise it depends on the inputs
   double Exposure = options::Exposure.Default;
+  int Colors = options::Colors.Default;
   int MaximumDepth = options::MaximumDepth.Default;
   CLI::App* Command = nullptr; ///< that light and material were added to
 };

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm
 {
   vtkSmartPointer<vtkPolyData> data = MakePolyData(mesh, center, scale);
   AddNumber(GeometryErrorName, record.Error, data);
-  AddNumber(GeometryLossName, record.Loss, data);
+  AddNumber(record.IsOpaque ? GeometryOpaqueLossName : GeometryLossName, record.Loss, data);
   if (!record.Scene.empty())
   {
     vtkNew<vtkStringArray> hash;

@@ -26,7 +26,8 @@ struct GeometryRecord
 {
   double Error = 0.0; ///< in world coordinates
   double Loss = 0.0;
-  std::string Scene; ///< a hash; not written if it is empty
+  std::string Scene;     ///< a hash; not written if it is empty
+  bool IsOpaque = false; ///< whether it has only the opaque ones of the scene's surfaces
 };
 
 /// The triangles of a mesh. Its points become `center` + `scale` * point.

@@ -82,10 +82,17 @@ Lookup::Lookup(const Description& description, vtkImageData* image, const std::v
 {
 }
 
+void Lookup::SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces)
+{
+  this->Surfaces = surfaces;
+  this->LeaveOut(this->LeftOut);
+}
+
 void Lookup::LeaveOut(int seenFaces)
 {
   this->LeftOut = seenFaces;
   this->Grid = SceneGrid(this->Field);
+  this->OffSurfaces = SceneGrid(this->Field, this->Surfaces);
   const auto texels = static_cast<vtkIdType>(this->Field.Grid.GetStripTexels());
   for (int slice = 0; slice < this->Field.Grid.GetSlices(); ++slice)
   {
@@ -99,9 +106,14 @@ void Lookup::LeaveOut(int seenFaces)
         tiles |= this->IsKept(face, tile) ? 1 << tile : 0;
       }
       this->Grid.Add(slice, this->Samples.At(strip * texels), tiles);
+      if (this->Surfaces)
+      {
+        this->OffSurfaces.Add(slice, this->Samples.At(strip * texels), tiles);
+      }
     }
   }
   this->Grid.Spread();
+  this->OffSurfaces.Spread();
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +332,7 @@ LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
 LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  const glm::dvec2 range = SceneGrid::ClipToScene(this->CastGridRay(rayFC));
+  const glm::dvec2 range = SceneGrid::ClipToScene(CastGridRay(this->Grid, rayFC));
   if (range.x >= range.y)
   {
     return {};
@@ -334,11 +346,11 @@ LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPoi
 //------------------------------------------------------------------------------
 // Depth-corrected lookup
 
-SceneGrid::Ray Lookup::CastGridRay(const Ray& ray) const
+SceneGrid::Ray Lookup::CastGridRay(const SceneGrid& grid, const Ray& ray)
 {
   const glm::dvec3 entryCC = FaceSpaceToCube(ray.Face, ray.Entry);
   const glm::dvec3 exitCC = FaceSpaceToCube(ray.Face, ray.Entry + ray.Chord);
-  return this->Grid.CastGridRay(entryCC, exitCC - entryCC);
+  return grid.CastGridRay(entryCC, exitCC - entryCC);
 }
 
 // The distance, in inverse depth, of a point in front of the surface that a view sees in its
@@ -390,7 +402,7 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 {
   while (step.Behind > range.y && step.Count < MostSteps)
   {
-    step.Behind = this->Grid.SkipEmpty(gridRay, step.Behind, range.y);
+    step.Behind = gridRay.Grid->SkipEmpty(gridRay, step.Behind, range.y);
     if (step.Behind <= range.y)
     {
       break;
@@ -414,7 +426,7 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
         return true;
       }
       inside = step.Behind > range.y && step.Count < MostSteps &&
-        this->Grid.IsOccupied(gridRay, step.Behind);
+        gridRay.Grid->IsOccupied(gridRay, step.Behind);
     }
   }
   return false;
@@ -528,9 +540,8 @@ LookupResult Lookup::FindVisible(
 }
 
 // With the three nearest views. Not final if none of the four sees the surface.
-LookupResult Lookup::Seen(const Ray& ray) const
+LookupResult Lookup::Seen(const Ray& ray, const SceneGrid::Ray& gridRay) const
 {
-  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
   const ViewCell views = this->FindViews(ray);
   const Surface surface = this->FindSurface(ray, views, gridRay, FindRange(gridRay), false);
   if (surface.W == 0.0)
@@ -569,18 +580,17 @@ void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, glm::dv
 }
 
 // For rays that Seen leaves: with all four views, then with those farther around.
-LookupResult Lookup::Unseen(const Ray& ray) const
+Lookup::Surface Lookup::FindUnseen(
+  const Ray& ray, const SceneGrid::Ray& gridRay, ViewCell& views) const
 {
-  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
   const glm::dvec2 range = FindRange(gridRay);
-  ViewCell views = this->FindViews(ray);
+  views = this->FindViews(ray);
   Surface surface = this->FindSurface(ray, views, gridRay, range, true);
-  if (surface.W == 0.0)
+  if (surface.W > 0.0)
   {
-    return {};
+    this->SearchAround(ray, gridRay, range, views, surface);
   }
-  this->SearchAround(ray, gridRay, range, views, surface);
-  return this->FindVisible(ray, views, surface);
+  return surface;
 }
 
 LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
@@ -590,7 +600,77 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
     return this->Focal(ray, glm::dvec3(0.0));
   }
   const Ray rayFC = ToFaceSpace(ray);
-  const LookupResult result = this->Seen(rayFC);
-  return result.IsFinal ? result : this->Unseen(rayFC);
+  const SceneGrid::Ray gridRay = CastGridRay(this->Grid, rayFC);
+  const LookupResult result = this->Seen(rayFC, gridRay);
+  if (result.IsFinal)
+  {
+    return result;
+  }
+  ViewCell views;
+  const Surface surface = this->FindUnseen(rayFC, gridRay, views);
+  return surface.W > 0.0 ? this->FindVisible(rayFC, views, surface) : LookupResult();
+}
+
+//------------------------------------------------------------------------------
+// What a geometry of the opaque surfaces lacks
+
+LookupResult Lookup::OffSurface(const RayCoordinates& ray) const
+{
+  const Ray rayFC = ToFaceSpace(ray);
+  const SceneGrid::Ray gridRay = CastGridRay(this->OffSurfaces, rayFC);
+  const LookupResult result = this->Seen(rayFC, gridRay);
+  if (result.IsFinal)
+  {
+    return result;
+  }
+  const bool showsEnvironment = this->Field.MayShowEnvironment();
+  ViewCell views;
+  const Surface surface =
+    this->FindUnseen(rayFC, showsEnvironment ? CastGridRay(this->Grid, rayFC) : gridRay, views);
+  return showsEnvironment || surface.Sight != glm::dvec4(0.0)
+    ? this->FindVisible(rayFC, views, surface)
+    : LookupResult();
+}
+
+LookupResult Lookup::InFront(const RayCoordinates& ray, const GeometryPoint& surface) const
+{
+  const Ray rayFC = ToFaceSpace(ray);
+  return this->SearchInFront(
+    rayFC, CastGridRay(this->OffSurfaces, rayFC), surface, glm::length(rayFC.Chord));
+}
+
+LookupResult Lookup::CloseInFront(const RayCoordinates& ray, const GeometryPoint& surface) const
+{
+  const Ray rayFC = ToFaceSpace(ray);
+  return this->SearchInFront(rayFC, CastGridRay(this->Grid, rayFC), surface,
+    CloseTexels * 2.0 / this->Field.Grid.GetResolution());
+}
+
+// What a ray meets before a point of the geometry, at most that far from it.
+LookupResult Lookup::SearchInFront(
+  const Ray& ray, const SceneGrid::Ray& gridRay, const GeometryPoint& surface, double reach) const
+{
+  const glm::dvec3 way = CubeToFaceSpace(ray.Face, surface.PointCC) - ray.Entry;
+  const double length = glm::length(ray.Chord);
+  const double fraction =
+    std::max(glm::dot(way, ray.Chord) / (length * length), 1.0 / NearestStart);
+  glm::dvec2 range = FindRange(gridRay);
+  range.x = std::min(range.x, 1.0 / std::max(fraction - reach / length, 1.0 / NearestStart));
+  range.y = std::max(range.y, (1.0 + FrontMargin) / fraction);
+  LookupResult result;
+  result.IsFinal = false;
+  if (range.x > range.y)
+  {
+    const ViewCell views = this->FindViews(ray);
+    const Surface found = this->FindSurface(ray, views, gridRay, range, false);
+    // Neither a hidden point nor a doubtful one.
+    if (found.W > range.y && found.Sight != glm::dvec4(0.0) &&
+      glm::all(glm::lessThan(
+        this->Clearances(ray, views, found.W, true), glm::dvec4(ClearanceTolerance * found.W))))
+    {
+      result = this->FindVisible(ray, views, found);
+    }
+  }
+  return result;
 }
 }

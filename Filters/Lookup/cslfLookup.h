@@ -26,6 +26,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 class vtkImageData;
@@ -95,6 +96,10 @@ public:
   /// front of it. 0 removes the restriction.
   void LeaveOut(int seenFaces);
 
+  /// Sets where a geometry is that has only the opaque ones of the scene's surfaces, for
+  /// OffSurface.
+  void SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces);
+
   /// Nearest viewpoint, nearest texel.
   LookupResult Nearest(const RayCoordinates& ray) const;
 
@@ -117,6 +122,18 @@ public:
   /// if they see little of it, others of the entry face, or of other faces among `faces`, one bit
   /// each. Nothing without a depth channel.
   Sightings OnSurface(const RayCoordinates& ray, const GeometryPoint& surface, int faces) const;
+
+  /// What a ray meets that misses a geometry of the opaque surfaces: like DepthCorrected, but only
+  /// what is elsewhere and what a viewpoint sees.
+  LookupResult OffSurface(const RayCoordinates& ray) const;
+
+  /// The same before a ray meets that geometry, if one of the four viewpoints around the entry sees
+  /// it. Otherwise not final.
+  LookupResult InFront(const RayCoordinates& ray, const GeometryPoint& surface) const;
+
+  /// The same for points that OnSurface does not see: what is so close to the geometry that it is
+  /// not known to be elsewhere.
+  LookupResult CloseInFront(const RayCoordinates& ray, const GeometryPoint& surface) const;
 
 private:
   /// A ray through the cube, in the space of its entry face.
@@ -219,7 +236,7 @@ private:
     double fraction) const;
   LookupResult LookThrough(const Ray& ray, double fraction) const;
 
-  SceneGrid::Ray CastGridRay(const Ray& ray) const;
+  static SceneGrid::Ray CastGridRay(const SceneGrid& grid, const Ray& ray);
   double Clearance(const View& view, const glm::dvec3& point) const;
   glm::dvec4 Clearances(const Ray& ray, const ViewCell& views, double w, bool all) const;
   double RefineCrossing(const Ray& ray, const View& view, double before, double behind,
@@ -232,10 +249,13 @@ private:
   Surface FindSurface(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
     const glm::dvec2& range, bool all) const;
   LookupResult FindVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
-  LookupResult Seen(const Ray& ray) const;
+  LookupResult Seen(const Ray& ray, const SceneGrid::Ray& gridRay) const;
   void SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, glm::dvec2 range,
     ViewCell& views, Surface& surface) const;
-  LookupResult Unseen(const Ray& ray) const;
+  Surface FindUnseen(const Ray& ray, const SceneGrid::Ray& gridRay, ViewCell& views) const;
+
+  LookupResult SearchInFront(const Ray& ray, const SceneGrid::Ray& gridRay,
+    const GeometryPoint& surface, double reach) const;
 
   static bool ToFace(
     int face, const GeometryPoint& surface, const glm::dvec3& directionCC, FacePoint& point);
@@ -246,7 +266,9 @@ private:
   Sightings SeeFromAfar(const FacePoint& surface) const;
 
   Description Field;
+  std::shared_ptr<const SurfaceCells> Surfaces;
   SceneGrid Grid;
+  SceneGrid OffSurfaces;    ///< what is not where the surfaces are
   ViewpointSamples Samples; ///< all of the image
   ChannelReader Depth;
   int LeftOut = 0; ///< exit faces, one bit each

@@ -8,9 +8,12 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace cslf
 {
@@ -24,6 +27,10 @@ constexpr double SceneMargin = 0.01;
 constexpr double LeastReach = 0.35;
 /// The number of viewpoints along a side of a face that is enough to see everything visible.
 constexpr int MostViewpoints = 17;
+/// The most small cells of a geometry along the scene's longest side.
+constexpr double MostSmallCells = 256.0;
+/// The most of their rows that a triangle crosses; more lie outside of the scene's bounds.
+constexpr int MostRows = 512;
 /// The value of unmarked cells.
 constexpr std::uint8_t NoRing = 255;
 
@@ -37,8 +44,30 @@ int IndexOf(const glm::ivec3& cell)
   return (cell.z * SceneGrid::Cells + cell.y) * SceneGrid::Cells + cell.x;
 }
 
-/// Calls `see` with the positions that a viewpoint sees at regularly spaced texels of a tile, and
-/// with their distance from each other, in CC.
+/// What a viewpoint sees at a texel.
+struct Sight
+{
+  glm::dvec3 PointCC;
+  double Reach; ///< the distance to the next one, in CC
+  double Close; ///< how far from the point the surface may be, in CC
+};
+
+/// Whether a texel and those around it lie on one surface.
+template <typename DepthValue>
+bool IsSmooth(const DepthValue* depths, int width, int resolution, int p, int q, vtkIdType texel)
+{
+  if (std::min(p, q) < 1 || std::max(p, q) > resolution - 2)
+  {
+    return false;
+  }
+  const double depth = depths[texel];
+  const vtkIdType around[] = { -1, 1, -width, width };
+  return std::all_of(std::begin(around), std::end(around),
+    [&](vtkIdType way)
+    { return std::abs(double(depths[texel + way]) - depth) <= SurfaceStep * depth; });
+}
+
+/// Calls `see` with what a viewpoint sees at regularly spaced texels of a tile.
 template <typename ColorValue, typename DepthValue, typename See>
 void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const ColorValue* colors,
   const DepthValue* depths, double depthScale, const See& see)
@@ -47,7 +76,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
   const int face = ExitFaceOf(viewpoint.Face, tile);
   const int resolution = grid.GetResolution();
   const int stride = std::max(1, resolution / SceneGrid::Cells);
-  const double texel = 2.0 * stride / resolution;
+  const double texel = 2.0 / resolution;
   for (int q = stride / 2; q < resolution; q += stride)
   {
     const vtkIdType row = static_cast<vtkIdType>(q) * grid.GetStripWidth() + tile * resolution;
@@ -60,7 +89,9 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
         // Floats may be outside [0,1], or not be numbers.
         const double stored = depthScale * depths[row + p];
         const double depth = stored >= 0.0 ? std::min(stored, 1.0) : 0.0;
-        see(eye + depth * (exit - eye), depth * texel);
+        const bool isSmooth = IsSmooth(depths, grid.GetStripWidth(), resolution, p, q, row + p);
+        see(Sight{ eye + depth * (exit - eye), depth * texel * stride,
+          depth * texel * (isSmooth ? 1.0 : CloseTexels) });
       }
     }
   }
@@ -84,12 +115,107 @@ std::vector<vtkIdType> ChoosePlaces(const Layout& grid, const std::vector<int>& 
 }
 }
 
-SceneGrid::SceneGrid(const Description& description)
-  : Field(description.Grid)
+SurfaceCells::SurfaceCells(const Description& description, const std::vector<glm::vec3>& pointsCC,
+  const std::vector<std::uint32_t>& corners)
+  : Minimum(description.GetSceneMinimumCC())
+{
+  const glm::dvec3 size = description.GetSceneMaximumCC() - this->Minimum;
+  this->Edge = std::max(
+    1.0 / description.Grid.GetResolution(), std::max({ size.x, size.y, size.z }) / MostSmallCells);
+  this->Cells = glm::ivec3(glm::floor(size / this->Edge)) + 1;
+  this->Marks.resize(std::size_t(this->Cells.x) * this->Cells.y * this->Cells.z, false);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    glm::dvec3 points[3] = { pointsCC[corners[i]], pointsCC[corners[i + 1]],
+      pointsCC[corners[i + 2]] };
+    // The last point lies opposite the shortest edge, so slivers have few rows.
+    for (int turn = 0; turn < 2; ++turn)
+    {
+      if (glm::distance(points[0], points[1]) > glm::distance(points[1], points[2]))
+      {
+        std::rotate(std::begin(points), std::begin(points) + 1, std::end(points));
+      }
+    }
+    const auto count = [this](const glm::dvec3& a, const glm::dvec3& b) {
+      return std::clamp(static_cast<int>(std::ceil(glm::distance(a, b) / this->Edge)), 1, MostRows);
+    };
+    const int rows = count(points[0], points[1]);
+    const int columns = std::max(count(points[0], points[2]), count(points[1], points[2]));
+    for (int row = 0; row <= rows; ++row)
+    {
+      const glm::dvec3 start = glm::mix(points[0], points[1], double(row) / rows);
+      for (int column = 0; column <= columns; ++column)
+      {
+        this->Mark(glm::mix(start, points[2], double(column) / columns));
+      }
+    }
+  }
+}
+
+glm::ivec3 SurfaceCells::FindCell(const glm::dvec3& pointCC) const
+{
+  return glm::ivec3(glm::floor((pointCC - this->Minimum) / this->Edge));
+}
+
+bool SurfaceCells::IsInside(const glm::ivec3& cell) const
+{
+  return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) &&
+    glm::all(glm::lessThan(cell, this->Cells));
+}
+
+std::size_t SurfaceCells::IndexOf(const glm::ivec3& cell) const
+{
+  return (std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x;
+}
+
+void SurfaceCells::Mark(const glm::dvec3& pointCC)
+{
+  const glm::ivec3 middle = this->FindCell(pointCC);
+  for (int i = 0; i < 27; ++i)
+  {
+    const glm::ivec3 cell = middle + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (this->IsInside(cell))
+    {
+      this->Marks[this->IndexOf(cell)] = true;
+    }
+  }
+}
+
+bool SurfaceCells::AreNear(const glm::dvec3& pointCC, double reach) const
+{
+  const glm::ivec3 middle = this->FindCell(pointCC);
+  // The cells around the geometry are marked, too.
+  const int rings = static_cast<int>(std::ceil(reach / this->Edge)) - 1;
+  const auto isMarked = [this](const glm::ivec3& cell)
+  { return this->IsInside(cell) && this->Marks[this->IndexOf(cell)]; };
+  if (isMarked(middle))
+  {
+    return true;
+  }
+  glm::ivec3 way;
+  for (way.z = -rings; way.z <= rings; ++way.z)
+  {
+    for (way.y = -rings; way.y <= rings; ++way.y)
+    {
+      for (way.x = -rings; way.x <= rings; ++way.x)
+      {
+        if (isMarked(middle + way))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+SceneGrid::SceneGrid(const Description& description, std::shared_ptr<const SurfaceCells> known)
+  : Known(std::move(known))
+  , Field(description.Grid)
   , Minimum(description.GetSceneMinimumCC() - SceneMargin)
   , Maximum(description.GetSceneMaximumCC() + SceneMargin)
   , Rings(CountCells(), description.FindChannel(KnownChannel::Depth) ? NoRing : 0)
-  , Known(description.Grid.GetSlices(), 0)
+  , Added(description.Grid.GetSlices(), 0)
 {
 }
 
@@ -108,16 +234,21 @@ SceneGrid::SceneGrid(
 
 void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
 {
-  tiles &= ~this->Known[slice];
+  tiles &= ~this->Added[slice];
   if (!samples.GetArray(KnownChannel::Depth) || tiles == 0)
   {
     return;
   }
-  this->Known[slice] |= tiles;
+  this->Added[slice] |= tiles;
   const Viewpoint viewpoint = this->Field.ViewpointOf(slice);
   const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
-  const auto see = [&](const glm::dvec3& pointCC, double reach)
-  { this->Mark((pointCC - this->Minimum) * scale, reach * scale); };
+  const auto see = [&](const Sight& sight)
+  {
+    if (!this->Known || !this->Known->AreNear(sight.PointCC, sight.Close))
+    {
+      this->Mark((sight.PointCC - this->Minimum) * scale, sight.Reach * scale);
+    }
+  };
   const auto look = [&](const auto* colors, const auto* depths, double depthScale)
   {
     for (int tile = 0; tile < TileCount; ++tile)
@@ -209,7 +340,7 @@ bool SceneGrid::Spread()
 SceneGrid::Ray SceneGrid::CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const
 {
   const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
-  Ray ray{ (entryCC - this->Minimum) * scale, chordCC * scale };
+  Ray ray{ (entryCC - this->Minimum) * scale, chordCC * scale, this };
   for (int a = 0; a < 3; ++a)
   {
     ray.Chord[a] = std::abs(ray.Chord[a]) < LeastChord ? LeastChord : ray.Chord[a];

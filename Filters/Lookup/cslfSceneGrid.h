@@ -3,7 +3,8 @@
 /**
  * @file
  * The places where the surfaces of a light field's scene may be: a coarse grid over the scene's
- * bounds. The search along a ray skips its empty cells. It is made from the viewpoints' depth, in a
+ * bounds. The search along a ray skips its empty cells. A second one may have only what a geometry
+ * of the opaque surfaces lacks. It is made from the viewpoints' depth, in a
  * time that depends only on the field. The functions here and those of cslfSceneGrid.glsl have the
  * same names and the same results.
  */
@@ -17,13 +18,39 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class vtkImageData;
 
 namespace cslf
 {
+/// The places where a field's geometry has its triangles: small cells, and those around them. They
+/// are as large as a texel at the cube's centre, or larger.
+class VTKCSLF_EXPORT SurfaceCells
+{
+public:
+  /// `corners` are the numbers of the points of all triangles, three for each.
+  SurfaceCells(const Description& description, const std::vector<glm::vec3>& pointsCC,
+    const std::vector<std::uint32_t>& corners);
+
+  /// Whether a point is nearly as close to the geometry as `reach`.
+  bool AreNear(const glm::dvec3& pointCC, double reach) const;
+
+private:
+  void Mark(const glm::dvec3& pointCC);
+  std::size_t IndexOf(const glm::ivec3& cell) const;
+  bool IsInside(const glm::ivec3& cell) const;
+  glm::ivec3 FindCell(const glm::dvec3& pointCC) const;
+
+  glm::dvec3 Minimum;
+  double Edge;      ///< of a cell
+  glm::ivec3 Cells; ///< along each side
+  std::vector<bool> Marks;
+};
+
 class SceneGrid
 {
 public:
@@ -35,8 +62,10 @@ public:
 
   SceneGrid() = default;
 
-  /// For a field that was not examined yet: all cells are empty. Without depth, none is.
-  explicit SceneGrid(const Description& description);
+  /// For a field that was not examined yet: all cells are empty. Without depth, none is. With the
+  /// cells of a geometry, the grid only has what lies elsewhere.
+  explicit SceneGrid(const Description& description,
+    std::shared_ptr<const SurfaceCells> known = std::shared_ptr<const SurfaceCells>());
 
   /// Marks what a viewpoint sees in these tiles, one bit each, unless it is known. Spread then
   /// updates the rings, and returns whether anything is new.
@@ -60,6 +89,7 @@ public:
   {
     glm::dvec3 Entry;
     glm::dvec3 Chord;
+    const SceneGrid* Grid;
   };
 
   Ray CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const;
@@ -77,11 +107,12 @@ private:
   void Mark(const glm::dvec3& position, const glm::dvec3& reach);
   static glm::ivec3 FindCell(const Ray& ray, double t);
 
+  std::shared_ptr<const SurfaceCells> Known;
   Layout Field;
   glm::dvec3 Minimum{ -1.0 };
   glm::dvec3 Maximum{ 1.0 };
   std::vector<std::uint8_t> Rings;
-  std::vector<int> Known;      ///< the tiles of each slice that were added
+  std::vector<int> Added;      ///< the tiles of each slice
   std::vector<glm::ivec3> New; ///< new marks that the rings do not include yet
 };
 }

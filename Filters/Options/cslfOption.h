@@ -7,6 +7,8 @@
 #ifndef cslfOption_h
 #define cslfOption_h
 
+#include <vtkObject.h>
+#include <vtkSetGet.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -37,6 +39,7 @@ struct NumberOption
   const char* Key;
   const char* Flag;
 
+  /// The nearest number of the range. What is no number remains so.
   constexpr T Clamp(T value) const
   {
     return value < this->Minimum ? this->Minimum : value > this->Maximum ? this->Maximum : value;
@@ -50,11 +53,36 @@ struct EnumOption : NumberOption<int>
   std::array<const char*, Count> Names;
 };
 
-/// Sets a member of a vtkObject as vtkSetClampMacro does, with the range of an option.
-template <typename Object, typename T>
-void SetClamped(Object* self, T& member, T value, const NumberOption<T>& option)
+/// A text, for which some values are suggested: "first, second".
+struct TextOption : Option<const char*>
 {
-  value = option.Clamp(value);
+  const char* Suggestions;
+};
+
+/// The number to be used for a parameter of a vtkObject that was given: the nearest of its range,
+/// or the present one if it is no number. If that is another one than given, the object warns.
+template <typename T>
+T Clamp(vtkObject* self, const char* name, T value, T minimum, T maximum, T present)
+{
+  const bool isNumber = value == value;
+  const T used = !isNumber ? present
+    : value < minimum      ? minimum
+    : value > maximum      ? maximum
+                           : value;
+  if (used != value)
+  {
+    vtkWarningWithObjectMacro(self, << name << " must be " << (isNumber ? "" : "a number ")
+                                    << "from " << minimum << " to " << maximum << ": " << used
+                                    << " is used instead of " << value << ".");
+  }
+  return used;
+}
+
+/// Sets a member of a vtkObject to a number of its range, with a warning if another was given.
+template <typename Object, typename T>
+void SetClamped(Object* self, const char* name, T& member, T value, T minimum, T maximum)
+{
+  value = Clamp(self, name, value, minimum, maximum, member);
   if (member != value)
   {
     member = value;
@@ -78,11 +106,16 @@ void SetOptions(Object* self, vtkSmartPointer<Options>& member, Options* options
 }
 }
 
-/// Defines a setter of a vtkObject with the range of a row of the table.
-#define cslfSetOptionMacro(Class, Name, Row)                                                       \
+/// Defines a setter of a vtkObject with a range. Others are clamped, with a warning.
+#define cslfSetClampMacro(Class, Name, Minimum, Maximum)                                           \
   void Class::Set##Name(decltype(Name) value)                                                      \
   {                                                                                                \
-    cslf::SetClamped(this, this->Name, value, cslf::options::Row);                                 \
-  }
+    cslf::SetClamped<Class, decltype(Name)>(this, #Name, this->Name, value, Minimum, Maximum);     \
+  }                                                                                                \
+  static_assert(true, "a semicolon follows")
+
+/// The same with the range of a row of the table.
+#define cslfSetOptionMacro(Class, Name, Row)                                                       \
+  cslfSetClampMacro(Class, Name, cslf::options::Row.Minimum, cslf::options::Row.Maximum)
 
 #endif

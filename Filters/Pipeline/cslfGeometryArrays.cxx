@@ -53,12 +53,19 @@ std::optional<double> GetGeometryError(vtkPolyData* geometry)
 
 std::optional<double> GetGeometryLoss(vtkPolyData* geometry)
 {
-  return GetNumber(geometry, GeometryLossName);
+  const std::optional<double> loss = GetNumber(geometry, GeometryLossName);
+  return loss ? loss : GetNumber(geometry, GeometryOpaqueLossName);
+}
+
+bool IsOpaqueGeometry(vtkPolyData* geometry)
+{
+  return !GetNumber(geometry, GeometryLossName) &&
+    GetNumber(geometry, GeometryOpaqueLossName).has_value();
 }
 
 bool IsCompleteGeometry(vtkPolyData* geometry)
 {
-  return GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;
+  return GetNumber(geometry, GeometryLossName).value_or(1.0) <= MostLossIfComplete;
 }
 
 bool IsUsefulGeometry(vtkPolyData* geometry)

@@ -33,6 +33,10 @@ constexpr const char* GeometryErrorName = "GeometryError";
 /// than a texel away.
 constexpr const char* GeometryLossName = "GeometryLoss";
 
+/// A number that takes the place of the loss if the geometry has only the surfaces that are opaque
+/// and visible from both sides: the share of these that it lost. The scene has others as well.
+constexpr const char* GeometryOpaqueLossName = "GeometryOpaqueLoss";
+
 /// A geometry that lost more than this share is not complete: what misses it may be a surface.
 constexpr double MostLossIfComplete = 0.01;
 
@@ -58,9 +62,14 @@ PointColorArrays VTKCSLF_EXPORT FindPointColors(vtkPolyData* geometry);
 
 ///@{
 /// The distance of a geometry from the surfaces and the share of them that it lost, if it says so.
+/// Of the opaque ones, if it has only these.
 std::optional<double> VTKCSLF_EXPORT GetGeometryError(vtkPolyData* geometry);
 std::optional<double> VTKCSLF_EXPORT GetGeometryLoss(vtkPolyData* geometry);
 ///@}
+
+/// Whether a geometry has only the opaque ones of the scene's surfaces: rays may meet others before
+/// it.
+bool VTKCSLF_EXPORT IsOpaqueGeometry(vtkPolyData* geometry);
 
 /// Whether a geometry has all surfaces, as far as it says so: rays that miss it see none.
 bool VTKCSLF_EXPORT IsCompleteGeometry(vtkPolyData* geometry);

@@ -2,20 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps exceptions within VTK's methods: none may leave them, because VTK and its users do not
- * expect any, and programs would end.
+ * What all long methods do. No exception may leave them, because VTK and its users do not expect
+ * any, and programs would end. An interpreter that called them can end them.
  */
 #ifndef cslfGuard_h
 #define cslfGuard_h
 
+#include "Pipeline/cslfInterpreter.h"
+
 #include <vtkAlgorithm.h>
+#include <vtkCommand.h>
 #include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
+#include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerVectorKey.h>
 #include <vtkInformationVector.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <cstring>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -24,10 +31,12 @@
 
 namespace cslf
 {
-/// Does `work()` and returns its result. If it throws, returns false and gives the reason.
+/// Does `work()`, which may be long, and returns its result. If it throws, returns false and gives
+/// the reason.
 template <typename Work>
 bool Guard(const Work& work, std::string& problem)
 {
+  const LongCall call;
   try
   {
     return work();
@@ -81,15 +90,44 @@ auto GuardMethod(vtkObject* object, const std::string& failure, const Work& work
   return result;
 }
 
-/// The same for ProcessRequest, which makes a filter's outputs: they are empty then. After a
-/// failure it also drops the extents that VTK combines the next request with, which VTK does only
-/// after success: they could be beyond what the output is after a change.
+/// Keeps VTK from printing the request that a filter could not fulfil: many lines, after the error
+/// in which the filter has given the reason.
+class FailedRequestObserver : public vtkCommand
+{
+public:
+  /// Observes an executive until it reports that the current request of its filter has failed.
+  static void Add(vtkExecutive* executive)
+  {
+    if (executive && vtkObject::GetGlobalWarningDisplay())
+    {
+      auto observer = vtkSmartPointer<FailedRequestObserver>::Take(new FailedRequestObserver);
+      executive->AddObserver(vtkCommand::ErrorEvent, observer);
+    }
+  }
+
+  void Execute(vtkObject* executive, unsigned long, void* text) override
+  {
+    const char* message = static_cast<const char*>(text);
+    if (message && !std::strstr(message, "returned failure for request"))
+    {
+      vtkOutputWindow::GetInstance()->DisplayErrorText(message);
+    }
+    executive->RemoveObserver(this);
+  }
+};
+
+/// The same for ProcessRequest, which makes a filter's outputs: they are empty then, and the
+/// request is not printed, since filters report why they fail. If the interpreter's user ended it,
+/// they are empty too, the request fails, and the next one makes them. After a failure it also
+/// drops the extents that VTK combines the next request with, which VTK does only after success:
+/// they could be beyond what the output is after a change.
 template <typename Work>
 vtkTypeBool GuardRequest(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Work& work)
 {
+  const LongCall call;
   bool isDone = false;
-  const vtkTypeBool result = GuardMethod(filter, "The output cannot be made",
+  vtkTypeBool result = GuardMethod(filter, "The output cannot be made",
     [&]
     {
       const vtkTypeBool made = work();
@@ -97,6 +135,13 @@ vtkTypeBool GuardRequest(
       return made;
     });
   const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
+  const bool isEnded = makesData && IsInterrupted();
+  result = isEnded ? 0 : result;
+  isDone = isDone && !isEnded;
+  if (!result)
+  {
+    FailedRequestObserver::Add(filter->GetExecutive());
+  }
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* output = outputs->GetInformationObject(port);
@@ -104,6 +149,10 @@ vtkTypeBool GuardRequest(
     if (makesData && !isDone && data && !output->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
     {
       data->Initialize();
+    }
+    if (isEnded)
+    {
+      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
     if ((makesData && !result) || request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
     {

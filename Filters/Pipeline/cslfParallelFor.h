@@ -7,6 +7,7 @@
 #ifndef cslfParallelFor_h
 #define cslfParallelFor_h
 
+#include "Pipeline/cslfInterpreter.h"
 #include "Pipeline/cslfPhase.h"
 
 #include <vtkSMPTools.h>
@@ -25,12 +26,14 @@ namespace cslf
 {
 /// Calls `functor(begin, end)` for parts of a range, in threads. An exception in a thread of
 /// vtkSMPTools would end the process. So the first one is stored, parts that have not begun are
-/// skipped, and the exception is thrown to the caller when all threads are done.
+/// skipped, and the exception is thrown to the caller when all threads are done. The functor
+/// invokes no events, unless in the calling thread with WithLock.
 template <typename Functor>
 void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Functor& functor)
 {
   std::atomic<bool> hasFailed{ false };
   std::exception_ptr exception;
+  const WithoutLock unlocked;
   vtkSMPTools::For(first, last, grain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -95,7 +98,12 @@ Result DoApart(
   const auto task = std::make_shared<std::packaged_task<Result()>>(work);
   std::future<Result> result = task->get_future();
   std::thread([task] { (*task)(); }).detach();
-  while (result.wait_for(step) != std::future_status::ready)
+  const auto isReady = [&]
+  {
+    const WithoutLock unlocked;
+    return result.wait_for(step) == std::future_status::ready;
+  };
+  while (!isReady())
   {
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (!progress(1.0 - std::exp(-seconds / expectedSeconds)))

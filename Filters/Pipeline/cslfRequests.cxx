@@ -7,6 +7,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkExecutive.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationIntegerKey.h>
@@ -147,6 +148,17 @@ bool UpdateSlices(vtkInformation* information, int first, int last)
   extent[4] = first;
   extent[5] = last;
   return Update(information, extent);
+}
+
+bool IsWholeThere(vtkAlgorithmOutput* connection)
+{
+  vtkAlgorithm* producer = connection->GetProducer();
+  auto* executive = Pipeline::SafeDownCast(producer->GetExecutive());
+  vtkInformation* information = producer->GetOutputInformation(connection->GetIndex());
+  auto* image = vtkImageData::GetData(information);
+  const int* whole = information->Get(Pipeline::WHOLE_EXTENT());
+  return executive && image && whole && std::equal(whole, whole + 6, image->GetExtent()) &&
+    image->GetNumberOfPoints() > 0 && image->GetUpdateTime() > executive->GetPipelineMTime();
 }
 
 bool UpdateWhole(vtkAlgorithmOutput* connection)

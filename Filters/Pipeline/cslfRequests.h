@@ -45,6 +45,10 @@ void RequestFirstPart(vtkInformation* information, const int extent[6]);
 /// Updates the output of that pipeline information, as one piece, to a range of slices.
 bool UpdateSlices(vtkInformation* information, int first, int last);
 
+/// Whether a connection's whole output, image data, is there already, as UpdateInformation left its
+/// pipeline.
+bool IsWholeThere(vtkAlgorithmOutput* connection);
+
 /// Updates a connection to its whole output, whatever was requested before.
 VTKCSLF_EXPORT bool UpdateWhole(vtkAlgorithmOutput* connection);
 }

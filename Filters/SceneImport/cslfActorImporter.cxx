@@ -420,6 +420,7 @@ private:
     {
       vtkCSLFMaterial::SetTexture(
         block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, false);
+      mapped.Coordinates->SetName("TextureCoordinates");
       block->GetPointData()->SetTCoords(mapped.Coordinates);
     }
     if (mapped.Colors)

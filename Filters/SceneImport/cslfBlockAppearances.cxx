@@ -94,9 +94,26 @@ vtkSmartPointer<vtkUnsignedCharArray> MapLevels(vtkUnsignedCharArray* colors, co
   return mapped;
 }
 
+/// Makes colours the finished ones of points or cells.
+void SetFinished(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* colors)
+{
+  vtkNew<vtkUnsignedCharArray> finished;
+  finished->ShallowCopy(colors);
+  finished->SetName(vtkCSLFMaterial::ColorsName());
+  attributes->SetScalars(finished);
+}
+
 glm::dvec3 ToColor(const double* color)
 {
   return { color[0], color[1], color[2] };
+}
+
+/// The colour that a block has instead of the property's, or that of the property.
+glm::dvec3 FindOwnColor(const BlockAppearance& appearance, const double* color)
+{
+  return appearance.HasTable ? glm::dvec3(1.0)
+    : appearance.Color       ? ToColor(appearance.Color->data())
+                             : ToColor(color);
 }
 
 /// `a / b`, or 0 where b is 0.
@@ -188,6 +205,7 @@ public:
     }
     this->FinishTexture(material);
     vtkCSLFMaterial::Inherit(this->Data, material);
+    vtkCSLFMaterial::SetFinishedColors(this->Data, true);
     this->FinishColors(this->Data->GetPointData());
     this->FinishColors(this->Data->GetCellData());
     this->FinishInstances();
@@ -235,12 +253,7 @@ private:
     return glm::mix(glm::dvec3(1.0), light, glm::greaterThan(light, glm::dvec3(0.0)));
   }
 
-  glm::dvec3 GetColor(const double* color) const
-  {
-    return this->Appearance.HasTable ? glm::dvec3(1.0)
-      : this->Appearance.Color       ? ToColor(this->Appearance.Color->data())
-                                     : ToColor(color);
-  }
+  glm::dvec3 GetColor(const double* color) const { return FindOwnColor(this->Appearance, color); }
 
   /// The colour of the property, or greys from black to white if colours vary. The block's own
   /// colours would make the pieces of one surface differ.
@@ -376,7 +389,7 @@ private:
       attributes->AddArray(
         this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFMaterial::EmissionName()));
     }
-    attributes->SetScalars(this->FinishLevels(colors));
+    SetFinished(attributes, this->FinishLevels(colors));
   }
 
   void FinishInstances()
@@ -512,6 +525,46 @@ void FinishAppearances(ImportedScene& scene, WindowLights& lights, bool interpol
     const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
     BlockFinisher finisher(block, lights.GetLevel(extent.first, extent.second), isLit);
     finisher.Finish(interpolateDisplayed);
+  }
+}
+
+void FinishExactColors(ImportedScene& scene)
+{
+  for (const ImportedBlock& block : scene.Blocks)
+  {
+    const BlockAppearance& appearance = block.Appearance;
+    if (!appearance.Property)
+    {
+      continue;
+    }
+    vtkNew<vtkPolyData> material;
+    vtkCSLFMaterial::SetFromProperty(material, appearance.Property);
+    vtkCSLFMaterial::SetOpacity(material, appearance.Opacity);
+    const glm::dvec3 color = FindOwnColor(appearance, appearance.Property->GetDiffuseColor());
+    vtkCSLFMaterial::SetBaseColor(material, color.x, color.y, color.z);
+    vtkCSLFMaterial::SetEmission(material, 0.0, 0.0, 0.0);
+    vtkCSLFMaterial::SetTexture(material, vtkCSLFMaterial::EmissionTexture, nullptr);
+    vtkCSLFMaterial::SetDisplayedWhite(material, 1.0, 1.0, 1.0);
+    if (appearance.Texture && appearance.Property->GetInterpolation() != VTK_PBR)
+    {
+      vtkCSLFMaterial::SetTextureFrom(
+        material, vtkCSLFMaterial::BaseColorTexture, appearance.Texture);
+    }
+    // Pieces of one block share their field data.
+    vtkNew<vtkFieldData> fields;
+    fields->ShallowCopy(block.Data->GetFieldData());
+    block.Data->SetFieldData(fields);
+    vtkCSLFMaterial::Inherit(block.Data, material);
+    vtkCSLFMaterial::SetFinishedColors(block.Data, true);
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block.Data->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block.Data->GetCellData()) })
+    {
+      if (auto* colors = vtkUnsignedCharArray::SafeDownCast(attributes->GetScalars()))
+      {
+        SetFinished(attributes, colors);
+      }
+    }
   }
 }
 }

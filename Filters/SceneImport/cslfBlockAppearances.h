@@ -22,6 +22,10 @@ VTKCSLF_EXPORT vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
 /// are kept. `interpolateDisplayed` selects interpolation of displayed values if the window
 /// interpolates them.
 void FinishAppearances(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
+
+/// Sets the blocks' materials to the colours and textures of the properties themselves, for tracing
+/// without light. Material arrays of the data are kept.
+void FinishExactColors(ImportedScene& scene);
 }
 
 #endif

@@ -52,6 +52,7 @@ struct ImportedScene
 {
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
+  bool HasExactColors = false;         ///< whether blocks get their own colours, without lights
   bool HasEnvironment = false;         ///< whether an image lights it
   MetLimits Limits;                    ///< parts that a renderer shows differently
   std::set<std::string> Omitted;       ///< other parts that cannot be represented, in words

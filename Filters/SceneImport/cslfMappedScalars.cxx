@@ -101,12 +101,23 @@ void CopyRest(vtkColorTransferFunction* function, vtkColorTransferFunction* copy
   }
 }
 
+/// A new table of a class that maps like the table's. ParaView's subclass builds its categories from
+/// a set that only it has, and would lose them.
+vtkSmartPointer<vtkScalarsToColors> MakeTableLike(vtkScalarsToColors* table)
+{
+  if (table->IsA("vtkDiscretizableColorTransferFunction"))
+  {
+    return vtkSmartPointer<vtkDiscretizableColorTransferFunction>::New();
+  }
+  return vtk::TakeSmartPointer(table->NewInstance());
+}
+
 /// A copy of a table that maps identically. A mapper sets the range and alpha of its table, but the
 /// user's table must not change.
 vtkSmartPointer<vtkScalarsToColors> CopyTable(vtkScalarsToColors* table)
 {
   table->Build();
-  auto copy = vtk::TakeSmartPointer(table->NewInstance());
+  const vtkSmartPointer<vtkScalarsToColors> copy = MakeTableLike(table);
   copy->DeepCopy(table);
   if (auto* colors = vtkLookupTable::SafeDownCast(table))
   {
@@ -221,6 +232,10 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, Imp
   vtkNew<ColorMapper> copy;
   copy->ShallowCopy(mapper);
   copy->ClearColorArrays();
+  if (scene.HasExactColors)
+  {
+    copy->InterpolateScalarsBeforeMappingOn();
+  }
   mapped.WantsTable = copy->CanUseTextureMapForColoring(data) != 0;
   if (!useTable)
   {

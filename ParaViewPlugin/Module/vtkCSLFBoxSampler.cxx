@@ -2,8 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFBoxSampler.h"
 
+#include "cslfLegend.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <string>
@@ -62,17 +74,79 @@ void vtkCSLFBoxSampler::UpdateCube()
 }
 
 //------------------------------------------------------------------------------
+// After an error the output is empty. If it was a failure for VTK, ParaView would try again for
+// each picture, and its own filters would report the requests that fail with this one.
 int vtkCSLFBoxSampler::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  int result = 0;
+  const auto sample = [&]()
+  { result = this->Superclass::RequestData(request, inputVector, outputVector); };
   if (std::string(vtkSMPTools::GetBackend()) != "Sequential")
   {
-    return this->Superclass::RequestData(request, inputVector, outputVector);
+    sample();
   }
-  int result = 0;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config("STDThread"),
-    [&]() { result = this->Superclass::RequestData(request, inputVector, outputVector); });
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config("STDThread"), sample);
+  }
+  vtkMultiProcessController* controller = this->GetController();
+  if (!result && (!controller || controller->GetNumberOfProcesses() < 2))
+  {
+    for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+    {
+      if (vtkDataObject* output = vtkDataObject::GetData(outputVector, port))
+      {
+        output->Initialize();
+      }
+    }
+    return 1;
+  }
+  vtkImageData* field = vtkImageData::GetData(outputVector);
+  if (result && field)
+  {
+    this->AddLegends(inputVector[0], field->GetFieldData());
+  }
   return result;
+}
+
+//------------------------------------------------------------------------------
+// Adds the legends of captured scenes and of this filter's array to those of the field.
+void vtkCSLFBoxSampler::AddLegends(vtkInformationVector* inputs, vtkFieldData* fields)
+{
+  bool isMapped = false;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputs, i);
+    cslf::CopyLegends(input, fields);
+    isMapped = isMapped || this->IsMapped(input);
+  }
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (isMapped && name && this->GetLookupTable())
+  {
+    cslf::AddLegend(fields, name, this->GetLookupTable());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether this filter's array colours a part of an input.
+bool vtkCSLFBoxSampler::IsMapped(vtkDataObject* input)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (this->IsMapped(leaf->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  int association = 0;
+  return input && this->GetScalarVisibility() && !vtkCSLFMaterial::GetFinishedColors(input) &&
+    this->GetInputAbstractArrayToProcess(0, input, association);
 }
 
 //------------------------------------------------------------------------------

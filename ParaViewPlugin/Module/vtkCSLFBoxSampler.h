@@ -8,6 +8,8 @@
  * and CubeEdges. It is wider than the box by a thousandth of the longest length on each side, so
  * that it contains inputs that the box exactly encloses.
  *
+ * The field data of the output has the legends of the colours that were baked.
+ *
  * @sa vtkCSLFSampler
  */
 #ifndef vtkCSLFBoxSampler_h
@@ -17,6 +19,9 @@
 #include "vtkCSLFParaViewModule.h" // for export macro
 #include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
+
+class vtkDataObject;
+class vtkFieldData;
 
 class VTKCSLFPARAVIEW_EXPORT vtkCSLFBoxSampler : public vtkCSLFSampler
 {
@@ -85,6 +90,8 @@ private:
   void operator=(const vtkCSLFBoxSampler&) = delete;
 
   void UpdateCube();
+  void AddLegends(vtkInformationVector* inputs, vtkFieldData* fields);
+  bool IsMapped(vtkDataObject* input);
 
   double CubePosition[3] = { -1.0, -1.0, -1.0 };
   double CubeLengths[3] = { 2.0, 2.0, 2.0 };

@@ -5,8 +5,10 @@
 #include "Pipeline/cslfGuard.h"
 #include "cslfGatherField.h"
 #include "cslfGeometryPort.h"
+#include "cslfLegend.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFToneMapping.h"
+#include "vtkCSLFViewScene.h"
 
 #include <vtkActor.h>
 #include <vtkAlgorithmOutput.h>
@@ -24,15 +26,80 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace
 {
 // The ports of the representation's input, and of what it delivers to the rank that draws.
 constexpr int FieldPort = 0;
 constexpr int GeometryPort = 1;
+
+// The places of scalar bars, as fractions of the view: one beside the other, from the left edge.
+constexpr double LegendLeft = 0.02;
+constexpr double LegendBottom = 0.25; // above the view's axes
+constexpr double LegendWidth = 0.08;
+constexpr double LegendHeight = 0.4;
+constexpr double LegendStep = 0.13;
+
+// More would cover the view.
+constexpr std::size_t MaximumLegends = 3;
+
+/// What a field was made of and has changed in the view since, of all filters before one.
+std::string FindChange(vtkAlgorithm* filter)
+{
+  std::vector<vtkAlgorithm*> found{ filter };
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (auto* scene = vtkCSLFViewScene::SafeDownCast(found[i]))
+    {
+      const std::string change = scene->FindChange();
+      if (!change.empty())
+      {
+        return change;
+      }
+    }
+    for (int port = 0; port < found[i]->GetNumberOfInputPorts(); ++port)
+    {
+      for (int input = 0; input < found[i]->GetNumberOfInputConnections(port); ++input)
+      {
+        vtkAlgorithm* producer = found[i]->GetInputAlgorithm(port, input);
+        if (producer && std::find(found.begin(), found.end(), producer) == found.end())
+        {
+          found.push_back(producer);
+        }
+      }
+    }
+  }
+  return "";
+}
+
+vtkSmartPointer<vtkScalarBarActor> MakeLegendActor(const cslf::Legend& legend, int index)
+{
+  auto actor = vtkSmartPointer<vtkScalarBarActor>::New();
+  actor->SetLookupTable(legend.Table);
+  actor->SetTitle((legend.Title + "\n(baked)").c_str());
+  actor->SetNumberOfLabels(4);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(LegendLeft + LegendStep * index, LegendBottom);
+  actor->SetWidth(LegendWidth);
+  actor->SetHeight(LegendHeight);
+  actor->SetLabelFormat("%.3g");
+  for (vtkTextProperty* text : { actor->GetTitleTextProperty(), actor->GetLabelTextProperty() })
+  {
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+  }
+  actor->PickableOff();
+  return actor;
+}
 }
 
 vtkStandardNewMacro(vtkCSLFRepresentation);
@@ -44,6 +111,13 @@ vtkCSLFRepresentation::vtkCSLFRepresentation()
   this->SetNumberOfInputPorts(2);
   this->Geometry = vtkSmartPointer<vtkPolyData>::New();
   this->Actor->SetMapper(this->Mapper);
+  this->Note->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->Note->SetPosition(LegendLeft, 0.02);
+  this->Note->GetTextProperty()->SetFontSize(14);
+  this->Note->GetTextProperty()->SetColor(1.0, 0.6, 0.0);
+  this->Note->GetTextProperty()->BoldOn();
+  this->Note->PickableOff();
+  this->Note->VisibilityOff();
 }
 
 //------------------------------------------------------------------------------
@@ -173,6 +247,10 @@ void vtkCSLFRepresentation::UpdateOutline()
   {
     this->BoundsMapper->SetInputData(this->Field);
     this->BoundsMapper->GetBounds(bounds);
+    if (vtkMath::AreBoundsInitialized(bounds) && this->Geometry->GetNumberOfPoints() > 0)
+    {
+      this->Geometry->GetBounds(bounds);
+    }
   }
   else
   {
@@ -198,7 +276,7 @@ vtkDataObject* vtkCSLFRepresentation::GetRenderedDataObject(int vtkNotUsed(port)
 }
 
 //------------------------------------------------------------------------------
-// The cube at the actor's position.
+// The outline at the actor's position.
 void vtkCSLFRepresentation::GetDrawnBounds(double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
@@ -286,6 +364,40 @@ void vtkCSLFRepresentation::ReceivePieces(vtkInformation* info)
   this->Mapper->SetInputConnection(GeometryPort,
     hasGeometry ? vtkPVRenderView::GetPieceProducer(info, this, GeometryPort) : nullptr);
   this->Actor->SetVisibility(hasField && this->GetVisibility());
+  this->ShowLegends(hasField && this->GetVisibility() && this->ShowLegend ? field : nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Shows the legends of a field, or none, and whether it is out of date.
+void vtkCSLFRepresentation::ShowLegends(vtkImageData* field)
+{
+  if (!this->LegendRenderer)
+  {
+    return;
+  }
+  if (field != this->LegendField)
+  {
+    for (vtkScalarBarActor* actor : this->Legends)
+    {
+      this->LegendRenderer->RemoveActor2D(actor);
+    }
+    this->Legends.clear();
+    this->LegendField = field;
+    const std::vector<cslf::Legend> legends =
+      field ? cslf::GetLegends(field->GetFieldData()) : std::vector<cslf::Legend>();
+    for (std::size_t i = 0; i < std::min(legends.size(), MaximumLegends); ++i)
+    {
+      this->Legends.push_back(MakeLegendActor(legends[i], static_cast<int>(i)));
+      this->LegendRenderer->AddActor2D(this->Legends.back());
+    }
+  }
+  vtkAlgorithm* producer = field && this->GetNumberOfInputConnections(FieldPort) == 1
+    ? this->GetInputAlgorithm(FieldPort, 0)
+    : nullptr;
+  const std::string change = producer ? FindChange(producer) : "";
+  this->Note->SetVisibility(!change.empty());
+  this->Note->SetInput(
+    ("Out of date: the colors of " + change + "\nhave changed since the bake.").c_str());
 }
 
 //------------------------------------------------------------------------------
@@ -297,6 +409,8 @@ bool vtkCSLFRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
+  this->LegendRenderer = renderView->GetNonCompositedRenderer();
+  this->LegendRenderer->AddActor2D(this->Note);
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
 }
@@ -311,6 +425,12 @@ bool vtkCSLFRepresentation::RemoveFromView(vtkView* view)
   }
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   renderView->GetRenderer()->RemoveActor(this->Actor);
+  this->ShowLegends(nullptr);
+  if (this->LegendRenderer)
+  {
+    this->LegendRenderer->RemoveActor2D(this->Note);
+  }
+  this->LegendRenderer = nullptr;
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -319,6 +439,16 @@ void vtkCSLFRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
   this->Actor->SetVisibility(visible);
+  if (!visible)
+  {
+    this->ShowLegends(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetShowLegend(bool show)
+{
+  this->ShowLegend = show;
 }
 
 //------------------------------------------------------------------------------
@@ -411,6 +541,7 @@ void vtkCSLFRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Field: " << this->Field.Get() << "\n";
   os << indent << "Geometry: " << this->Geometry.Get() << "\n";
+  os << indent << "ShowLegend: " << this->ShowLegend << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

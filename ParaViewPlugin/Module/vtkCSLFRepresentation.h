@@ -5,12 +5,16 @@
  * @brief   draws a light field in ParaView's render view
  *
  * The representation "Light Field" of image data, drawn by vtkCSLFMapper with all other objects in
- * the view. Bounds, and so the camera's reset and the axes, are those of the field's cube, not
- * those of the image data. Image data that is not a whole light field is an error, and nothing is
- * drawn.
+ * the view. Bounds, and so the camera's reset and the axes, are those of the field's geometry or,
+ * without geometry, of its cube, not those of the image data. Image data that is not a whole light
+ * field is an error, and nothing is drawn.
  *
  * The geometry of the sampler or reader that made the field is found in the pipeline, for the
  * lookup GEOMETRY.
+ *
+ * Scalar bars show the colours that were baked, which stay when the colour map of the source
+ * changes. A note in the view then says that the field is out of date, where the process that draws
+ * also has the pipeline.
  *
  * If several ranks have each made a part of the field, rank 0 gathers all parts. Each rank has the
  * whole geometry, and rank 0 delivers its own. Only rank 0 or the client draws the field: ParaView
@@ -26,11 +30,17 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkPolyData.h"     // for the geometry
 #include "vtkSmartPointer.h" // for vtkSmartPointer
+#include "vtkWeakPointer.h"  // for the renderer of legends
+
+#include <vector> // for std::vector
 
 class vtkActor;
 class vtkCSLFMapper;
 class vtkImageData;
 class vtkOutlineSource;
+class vtkRenderer;
+class vtkScalarBarActor;
+class vtkTextActor;
 
 class VTKCSLFPARAVIEW_EXPORT vtkCSLFRepresentation : public vtkPVDataRepresentation
 {
@@ -46,7 +56,7 @@ public:
   void SetVisibility(bool visible) override;
 
   /**
-   * The cube's outline, for code that asks for the drawn data and its position.
+   * An outline of the bounds, for code that asks for the drawn data and its position.
    */
   vtkDataObject* GetRenderedDataObject(int port) override;
 
@@ -62,6 +72,12 @@ public:
   void SetToneMapping(int curve);
   void SetAutoAdjustResolution(bool adjust);
   ///@}
+
+  /**
+   * Whether the view shows scalar bars of the baked colours, and the note that they are out of
+   * date. Default: on.
+   */
+  void SetShowLegend(bool show);
 
   /**
    * The graphics memory that the samples may take, in MiB: the mapper's TextureMemoryLimit.
@@ -111,12 +127,18 @@ private:
   void ShowPieces(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void GetDrawnBounds(double bounds[6]);
+  void ShowLegends(vtkImageData* field);
 
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkCSLFMapper>
     BoundsMapper; // never draws: gives the field's cube before the field is sent
   vtkNew<vtkOutlineSource> Outline;
+  vtkWeakPointer<vtkRenderer> LegendRenderer;
+  std::vector<vtkSmartPointer<vtkScalarBarActor>> Legends;
+  vtkSmartPointer<vtkImageData> LegendField; // whose legends these are
+  vtkNew<vtkTextActor> Note;
+  bool ShowLegend = true;
   PartState State = PartState::Unchanged;
   vtkSmartPointer<vtkImageData> Part;        // this rank's viewpoints; null if there are none
   vtkSmartPointer<vtkPolyData> PartGeometry; // null if there is none

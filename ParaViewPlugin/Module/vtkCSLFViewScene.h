@@ -11,6 +11,9 @@
  *
  * The view must have been rendered. On several ranks each captures what it draws.
  *
+ * A state file contains the captured scene, except on several ranks. The last block also has the
+ * legends of the captured colours.
+ *
  * @sa vtkCSLFSceneImporter vtkCSLFSampler
  */
 #ifndef vtkCSLFViewScene_h
@@ -19,8 +22,10 @@
 #include "vtkCSLFParaViewModule.h" // for export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkNew.h"         // for vtkNew
-#include "vtkTimeStamp.h"   // for vtkTimeStamp
 #include "vtkWeakPointer.h" // for the view
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class vtkView;
 
@@ -45,7 +50,7 @@ public:
    * Whether the view's lights are captured. If not, the sampler's environment lights the scene.
    * Default: on.
    */
-  vtkSetMacro(CaptureLights, bool);
+  void SetCaptureLights(bool capture);
   vtkGetMacro(CaptureLights, bool);
   vtkBooleanMacro(CaptureLights, bool);
   ///@}
@@ -55,7 +60,7 @@ public:
    * Whether colours between points are interpolated like in the view, or as light: see
    * vtkCSLFSceneImporter. Default: on.
    */
-  vtkSetMacro(InterpolateDisplayedColors, bool);
+  void SetInterpolateDisplayedColors(bool interpolate);
   vtkGetMacro(InterpolateDisplayedColors, bool);
   vtkBooleanMacro(InterpolateDisplayedColors, bool);
   ///@}
@@ -64,6 +69,23 @@ public:
    * Makes the next update capture the current view.
    */
   void Capture();
+
+  ///@{
+  /**
+   * The captured scene as text, for state files: empty if nothing has been captured, on several
+   * ranks, and, with a warning, if it would take more than 64 MiB. Setting it replaces what was
+   * captured; an empty text changes nothing, and a damaged one is an error.
+   */
+  void SetCapturedScene(const char* text);
+  const char* GetCapturedScene();
+  ///@}
+
+  /**
+   * The array whose colours in the view are no longer those that were captured, or "its surfaces"
+   * if it is another colour or opacity that has changed. Empty if none has, or after a state file
+   * was loaded.
+   */
+  std::string FindChange();
 
 protected:
   vtkCSLFViewScene();
@@ -82,8 +104,12 @@ private:
   vtkWeakPointer<vtkView> View;
   bool CaptureLights = true;
   bool InterpolateDisplayedColors = true;
+  bool MustCapture = true;
   vtkNew<vtkMultiBlockDataSet> Scene; // the captured scene
-  vtkTimeStamp CaptureTime;
+  std::string SceneText;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -3,12 +3,12 @@
 #include "vtkSMCSLFSamplerProxy.h"
 
 #include <vtkDataObject.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
-#include <vtkPVDataSetAttributesInformation.h>
+#include <vtkSMArrayListDomain.h>
+#include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMTransferFunctionManager.h>
@@ -19,47 +19,62 @@
 vtkStandardNewMacro(vtkSMCSLFSamplerProxy);
 
 //------------------------------------------------------------------------------
-// The array that colours the first input: the chosen one, or else the active scalars of its points
-// or cells.
+// The array that colours the inputs, from the first one that has it. Null if there is none.
 vtkPVArrayInformation* vtkSMCSLFSamplerProxy::FindColorArray()
 {
   vtkSMPropertyHelper input(this, "Input");
-  auto* source =
-    input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
-  if (!source || vtkSMPropertyHelper(this, "ScalarVisibility").GetAsInt() == 0)
+  vtkSMPropertyHelper color(this, "ColorArrayName");
+  const char* name = color.GetInputArrayNameToProcess();
+  for (unsigned int i = 0; name && *name && i < input.GetNumberOfElements(); ++i)
   {
-    return nullptr;
+    auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy(i));
+    if (!source)
+    {
+      continue;
+    }
+    // Scripts may not have updated it yet.
+    if (source->GetDataInformation(input.GetOutputPort(i))->GetNumberOfPoints() == 0)
+    {
+      source->UpdatePipeline();
+    }
+    vtkPVArrayInformation* array = source->GetDataInformation(input.GetOutputPort(i))
+                                     ->GetArrayInformation(name, color.GetInputArrayAssociation());
+    if (array)
+    {
+      return array;
+    }
   }
-  vtkPVDataInformation* data = source->GetDataInformation(input.GetOutputPort());
-  // Scripts may not have updated it yet.
-  if (data->GetNumberOfPoints() == 0)
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Returns to the default if no input has the chosen array. Scripts that give the input as a keyword
+// get the default of the active source's arrays first.
+void vtkSMCSLFSamplerProxy::ResetMissingArray()
+{
+  vtkSMProperty* color = this->GetProperty("ColorArrayName");
+  auto* arrays = color->FindDomain<vtkSMArrayListDomain>();
+  const bool isKnown = arrays && arrays->GetNumberOfStrings() > 1; // the first is no array
+  if (isKnown && !color->IsInDomains() && !this->FindColorArray())
   {
-    source->UpdatePipeline();
-    data = source->GetDataInformation(input.GetOutputPort());
+    color->ResetToDomainDefaults(false);
   }
-  vtkSMPropertyHelper array(this, "ColorArrayName");
-  const char* name = array.GetInputArrayNameToProcess();
-  if (name && *name)
-  {
-    return data->GetArrayInformation(name, array.GetInputArrayAssociation());
-  }
-  vtkPVArrayInformation* scalars =
-    data->GetPointDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
-  return scalars
-    ? scalars
-    : data->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
 }
 
 //------------------------------------------------------------------------------
 void vtkSMCSLFSamplerProxy::UpdateVTKObjects()
 {
+  this->ResetMissingArray();
   vtkSMPropertyHelper table(this, "LookupTable");
-  vtkPVArrayInformation* array = table.GetAsProxy() ? nullptr : this->FindColorArray();
-  if (array)
+  const bool isChosen = table.GetAsProxy() && table.GetAsProxy() != this->TableOfArray;
+  const bool isColored = vtkSMPropertyHelper(this, "ScalarVisibility").GetAsInt() != 0;
+  vtkPVArrayInformation* array = isColored ? this->FindColorArray() : nullptr;
+  vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
+  const std::string key = array ? std::string(array->GetName()) + ".PVLookupTable" : "";
+  const bool isNew = array && !proxies->GetProxy("lookup_tables", key.c_str());
+  // States have the table of the array as if it was chosen.
+  if (array && (!isChosen || table.GetAsProxy() == proxies->GetProxy("lookup_tables", key.c_str())))
   {
-    vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
-    const std::string key = std::string(array->GetName()) + ".PVLookupTable";
-    const bool isNew = !proxies->GetProxy("lookup_tables", key.c_str());
     vtkNew<vtkSMTransferFunctionManager> manager;
     vtkSMProxy* colors = manager->GetColorTransferFunction(array->GetName(), proxies);
     if (isNew)
@@ -68,6 +83,7 @@ void vtkSMCSLFSamplerProxy::UpdateVTKObjects()
       vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, range[0], range[1]);
     }
     table.Set(colors);
+    this->TableOfArray = colors;
   }
   this->Superclass::UpdateVTKObjects();
 }

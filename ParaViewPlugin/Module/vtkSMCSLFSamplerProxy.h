@@ -4,14 +4,16 @@
  * @class   vtkSMCSLFSamplerProxy
  * @brief   the sampler's proxy: finds the lookup table that ParaView shows an array with
  *
- * If no LookupTable is set, it uses the session's table for the array that colours the first input.
- * A table that was not used before gets the array's range.
+ * Unless a LookupTable is set, it uses the session's table for the array that colours the inputs,
+ * and another one when another array is chosen. A table that was not used before gets the array's
+ * range.
  */
 #ifndef vtkSMCSLFSamplerProxy_h
 #define vtkSMCSLFSamplerProxy_h
 
 #include "vtkCSLFParaViewModule.h" // for export macro
 #include "vtkSMSourceProxy.h"
+#include "vtkWeakPointer.h" // for the table of the array
 
 class vtkPVArrayInformation;
 
@@ -33,6 +35,9 @@ private:
   void operator=(const vtkSMCSLFSamplerProxy&) = delete;
 
   vtkPVArrayInformation* FindColorArray();
+  void ResetMissingArray();
+
+  vtkWeakPointer<vtkSMProxy> TableOfArray; // which LookupTable was set to, unless it was chosen
 };
 
 #endif

@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Actors of light fields from files, algorithms or image data."""
 
+import errno
 import os
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from .vtkCSLF import vtkCSLFDecoder, vtkCSLFMapper
+from . import vtkCSLF
+from .messages import Messages
 
-LOOKUPS = tuple(vtkCSLFMapper.GetLookupName(lookup).capitalize()
-                for lookup in range(vtkCSLFMapper.NUMBER_OF_LOOKUPS))
+LOOKUPS = tuple(vtkCSLF.vtkCSLFMapper.GetLookupName(lookup).capitalize()
+                for lookup in range(vtkCSLF.vtkCSLFMapper.NUMBER_OF_LOOKUPS))
 
 
 def has_geometry(field):
@@ -21,23 +24,38 @@ def has_geometry(field):
     return information.Get(vtkDataObject.DATA_TYPE_NAME()) == "vtkPolyData"
 
 
+def open_field(name):
+    """The reader of a light field: a video, image data (``.vti``) or a folder of images."""
+    if not os.path.exists(name):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
+    if os.path.isdir(name) and hasattr(vtkCSLF, "vtkCSLFImageReader"):
+        reader = vtkCSLF.vtkCSLFImageReader()
+    else:
+        is_image = name.lower().endswith(".vti")
+        reader = vtkXMLImageDataReader() if is_image else vtkCSLF.vtkCSLFDecoder()
+    reader.SetFileName(name)
+    with Messages(reader) as messages:
+        reader.UpdateInformation()
+    if messages.errors:
+        raise ValueError(messages.errors[0])
+    return reader
+
+
 def make_actor(field, lookup="Geometry"):
     """Returns a ``vtkActor`` that draws a light field.
 
-    ``field`` is the name of a video, an algorithm that makes a field, such as
-    ``vtkCSLFSampler``, or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``,
-    ``Focal``, ``Depth`` or ``Geometry``, which is ``Depth`` for fields without geometry.
-    Raises ``ValueError`` if the field is not a light field or the lookup is unknown.
+    ``field`` is the name of a video, of image data (``.vti``) or of a folder of images, an
+    algorithm that makes a field, such as ``vtkCSLFSampler``, or image data. ``lookup`` is
+    ``Nearest``, ``Linear``, ``Bilinear``, ``Focal``, ``Depth`` or ``Geometry``, which is ``Depth``
+    for fields without geometry. Raises ``FileNotFoundError`` if there is no such file, and
+    ``ValueError`` if the field is not a light field or the lookup is unknown.
     """
     if lookup not in LOOKUPS:
         raise ValueError(f"The lookup must be one of {', '.join(LOOKUPS)}; it is {lookup!r}.")
-    mapper = vtkCSLFMapper()
+    mapper = vtkCSLF.vtkCSLFMapper()
     if isinstance(field, (str, os.PathLike)):
-        decoder = vtkCSLFDecoder()
-        decoder.SetFileName(os.fspath(field))
-        mapper.SetInputConnection(0, decoder.GetOutputPort(0))
-        mapper.SetInputConnection(1, decoder.GetOutputPort(1))
-    elif hasattr(field, "GetOutputPort"):
+        field = open_field(os.fspath(field))
+    if hasattr(field, "GetOutputPort"):
         mapper.SetInputConnection(0, field.GetOutputPort())
         if has_geometry(field):
             mapper.SetInputConnection(1, field.GetOutputPort(1))
@@ -46,7 +64,9 @@ def make_actor(field, lookup="Geometry"):
     mapper.SetLookup(LOOKUPS.index(lookup))
     actor = vtkActor()
     actor.SetMapper(mapper)
-    bounds = actor.GetBounds()
-    if bounds is None or bounds[0] > bounds[1]:
-        raise ValueError("The field is not a light field.")
+    with Messages(mapper) as messages:
+        bounds = actor.GetBounds()
+    if messages.errors or bounds is None or bounds[0] > bounds[1]:
+        raise ValueError(messages.errors[0] if messages.errors
+                         else "The field is not a light field.")
     return actor

@@ -5,7 +5,7 @@
 import os
 import pathlib
 
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 from .fields import make_actor
@@ -15,13 +15,29 @@ DIRECTION = (0.35, 0.25, 1.0)
 
 
 class Picture:
-    """A PNG picture in memory. A notebook shows it if it is the last expression of a cell."""
+    """A PNG picture in memory. A notebook shows it if it is the last expression of a cell, and
+    ``numpy.asarray`` gives its pixels: rows from the top, columns, and bytes of red, green, blue.
+    """
 
     def __init__(self, png):
         self.png = png
 
     def _repr_png_(self):
         return self.png
+
+    def __array__(self, dtype=None, copy=None):
+        from vtkmodules.util.numpy_support import vtk_to_numpy  # only this needs numpy
+        if copy is False:
+            raise ValueError("The picture has to be decoded, which makes a copy.")
+        reader = vtkPNGReader()
+        reader.SetMemoryBuffer(self.png)
+        reader.SetMemoryBufferLength(len(self.png))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        # VTK's rows begin at the bottom.
+        pixels = pixels.reshape(height, width, -1)[::-1].copy()
+        return pixels if dtype is None else pixels.astype(dtype)
 
     def save(self, file_name):
         """Writes the PNG file."""
@@ -46,11 +62,11 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
          background=(0.0, 0.0, 0.0), lookup="Geometry"):
     """Draws a view of a light field and returns it as a Picture.
 
-    ``field`` is the name of a video, an algorithm that makes a field, such as ``vtkCSLFSampler``,
-    or image data. ``size`` is the width and height in pixels. ``position`` is the position of the
-    camera in world coordinates, by default two edges of the cube in front of its centre, and
-    ``focal_point`` the point that it looks at, by default the centre. ``background`` is a colour
-    with components in [0,1]. ``lookup`` is as in ``make_actor``.
+    ``field`` is as in ``make_actor``: a name, an algorithm or image data. ``size`` is the width and
+    height in pixels. ``position`` is the position of the camera in world coordinates, by default
+    two edges of the cube in front of its centre, and ``focal_point`` the point that it looks at, by
+    default the centre. ``background`` is a colour with components in [0,1]. ``lookup``, and what is
+    raised if there is no such field, are as in ``make_actor``.
     """
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()

@@ -526,19 +526,34 @@ void SearchAround(
   }
 }
 
-// For rays that LookupSeen leaves: with all four views, then with those farther around.
-LookupResult LookupUnseen(Ray ray)
+// With all four views, then with those farther around.
+Surface FindUnseen(Ray ray, out ViewCell views)
 {
   GridRay gridRay = CastGridRay(ray);
   vec2 range = FindRange(gridRay);
-  ViewCell views = FindViews(ray.Entry);
+  views = FindViews(ray.Entry);
   Surface surface = FindSurface(ray, views, gridRay, range, true);
-  if (surface.W == 0.0)
+  if (surface.W > 0.0)
   {
-    return FindNothing();
+    SearchAround(ray, gridRay, range, views, surface);
   }
-  SearchAround(ray, gridRay, range, views, surface);
-  return FindVisible(ray, views, surface);
+  return surface;
+}
+
+// For rays that LookupSeen leaves.
+LookupResult LookupUnseen(Ray ray)
+{
+  ViewCell views;
+  Surface surface = FindUnseen(ray, views);
+  return surface.W > 0.0 ? FindVisible(ray, views, surface) : FindNothing();
+}
+
+// The same for rays that miss the geometry: what no view sees is nothing.
+LookupResult LookupAround(Ray ray)
+{
+  ViewCell views;
+  Surface surface = FindUnseen(ray, views);
+  return surface.Sight != vec4(0.0) ? FindVisible(ray, views, surface) : FindNothing();
 }
 
 // Final if the grid has nothing on the ray.

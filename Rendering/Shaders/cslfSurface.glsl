@@ -45,6 +45,48 @@ GeometryPoint FindGeometryPoint(vec2 entry, vec3 direction)
   return surface;
 }
 
+// The surface that a ray meets between the eye and the geometry, if the views see one at most that
+// far from the latter. Otherwise not final.
+LookupResult SearchInFront(Ray ray, float reach)
+{
+  LookupResult result = FindNothing();
+  result.IsFinal = false;
+  vec4 picture = texelFetch(SurfacePoints, PictureTexel(), 0);
+  vec3 point = (picture.xyz - FCCCMatrix[3].xyz) * mat3(FCCCMatrix);
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = FindRange(gridRay);
+  float square = dot(ray.Chord, ray.Chord);
+  float fraction = max(dot(point - ray.Entry, ray.Chord) / square, 1.0 / NearestStart);
+  float eye = EyeFC.w > 0.0 ? dot(EyeFC.xyz - ray.Entry, ray.Chord) / square : 0.0;
+  float start = max(fraction - reach * inversesqrt(square), max(eye, 1.0 / NearestStart));
+  range.x = min(range.x, 1.0 / start);
+  range.y = max(range.y, (1.0 + FrontMargin) / fraction);
+  if (picture.w > 0.0 && range.x > range.y)
+  {
+    ViewCell views = FindViews(ray.Entry);
+    Surface surface = FindSurface(ray, views, gridRay, range, false);
+    // Neither a hidden point nor a doubtful one.
+    if (surface.W > range.y && surface.Sight != vec4(0.0) &&
+      all(lessThan(Clearances(ray, views, surface.W, true), vec4(ClearanceTolerance * surface.W))))
+    {
+      result = FindVisible(ray, views, surface);
+    }
+  }
+  return result;
+}
+
+LookupResult LookupInFront(Ray ray)
+{
+  return SearchInFront(ray, length(ray.Chord));
+}
+
+// Where the depth is that of something so close to the geometry that the grid does not tell them
+// apart.
+LookupResult LookupClose(Ray ray)
+{
+  return SearchInFront(ray, CloseTexels * 2.0 / Resolution);
+}
+
 Sighting See(View view, GeometryPoint surface)
 {
   Projection seen = Project(view, surface.Point);

@@ -6,6 +6,7 @@
 // coded as in other files. Bad headers are refused.
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Geometry/cslfGeometryDepths.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfCodecTesting.h"
 #include "cslfJSONText.h"
@@ -20,7 +21,9 @@
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -284,6 +287,15 @@ void TestUnused(const std::string& folder)
   std::cout << "loss " << encoder->GetActualGeometryLoss() << " without a part\n";
   CSLF_CHECK(!encoder->GetActualDepthFromGeometry() && encoder->GetActualGeometryLoss() > 0.01);
   CSLF_CHECK(file.ReadHeader().Tracks.size() == 3 && file.ReadHeader().FindGeometry());
+
+  // Of the opaque surfaces, there may be others in front and beside.
+  file.Geometry = cslf::testing::MakeTestSurfaces(cslf::Cube());
+  CSLF_CHECK(file.Write()->GetActualDepthFromGeometry());
+  vtkNew<vtkDoubleArray> loss;
+  loss->SetName(cslf::GeometryOpaqueLossName);
+  loss->InsertNextValue(0.001);
+  file.Geometry->GetFieldData()->AddArray(loss);
+  CSLF_CHECK(!file.Write()->GetActualDepthFromGeometry());
 
   // Without depth there is nothing to compute.
   file.Field =

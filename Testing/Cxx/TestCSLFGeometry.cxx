@@ -27,6 +27,7 @@
 #include <vtkSphereSource.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -309,7 +310,8 @@ void TestUnseen()
   CSLF_CHECK(observer->GetWarningMessage().find("hardly see any surface") != std::string::npos);
 }
 
-/// Surfaces that rays pass have no geometry.
+/// Surfaces that rays pass are not in the geometry: translucent ones, all or a part of their points
+/// or instances, those with textures, and those that are visible from one side only.
 void TestPassed()
 {
   const auto sphere = MakeSphere(glm::dvec3(0.0), 1.0, 20);
@@ -321,6 +323,51 @@ void TestPassed()
   sampler->Update(1);
   CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() == 0);
   CSLF_CHECK(observer->GetWarningMessage().find("no geometry") != std::string::npos);
+
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, sphere);
+  const auto oneSided = MakeSphere(glm::dvec3(3.0, 0.0, 0.0), 1.0, 20);
+  vtkCSLFMaterial::SetVisibleSides(oneSided, vtkCSLFMaterial::FrontSide);
+  scene->SetBlock(1, oneSided);
+  // Opaque where y is above 0.
+  const auto half = MakeSphere(glm::dvec3(6.0, 0.0, 0.0), 1.0, 21);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < half->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple4(200, 100, 50, GetPoint(half, i).y > 0.0 ? 255 : 100);
+  }
+  half->GetPointData()->SetScalars(colors);
+  scene->SetBlock(2, half);
+  // The second instance is opaque.
+  const auto cube = MakeSphere(glm::dvec3(0.0), 1.0, 8);
+  for (const double alpha : { 0.5, 1.0 })
+  {
+    vtkNew<vtkMatrix4x4> place;
+    place->SetElement(0, 3, alpha == 1.0 ? 12.0 : 9.0);
+    const double color[4] = { 1.0, 1.0, 1.0, alpha };
+    vtkCSLFInstances::AddInstance(cube, place, color);
+  }
+  scene->SetBlock(3, cube);
+  sampler->SetInputDataObject(scene);
+  observer->Clear();
+  sampler->Update(1);
+  vtkPolyData* geometry = sampler->GetGeometry();
+  double bounds[6];
+  geometry->GetBounds(bounds);
+  CSLF_CHECK_NEAR(bounds[0], 5.0, 0.05);
+  CSLF_CHECK_NEAR(bounds[1], 13.0, 0.05);
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const glm::dvec3 point = GetPoint(geometry, i);
+    CSLF_CHECK(point.x < 7.1 ? point.y > 0.0 : point.x > 10.9);
+  }
+  CSLF_CHECK(GetNumber(geometry, cslf::GeometryOpaqueLossName) < 0.01);
+  CSLF_CHECK(!geometry->GetFieldData()->GetArray(cslf::GeometryLossName));
+  CSLF_CHECK(cslf::IsOpaqueGeometry(geometry) && !cslf::IsCompleteGeometry(geometry) &&
+    cslf::IsUsefulGeometry(geometry));
+  CSLF_CHECK(
+    observer->GetWarningMessage().find("because they are translucent") != std::string::npos);
 }
 
 int TestCSLFGeometry(int, char*[])

@@ -13,6 +13,9 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -101,14 +104,20 @@ struct Fixture
 
   void Compare(const char* what, const cslf::Description& field, vtkImageData* image)
   {
+    this->Compare(what, field, image, cslf::testing::MakeTestSurfaces(field.Box));
+  }
+
+  void Compare(
+    const char* what, const cslf::Description& field, vtkImageData* image, vtkPolyData* geometry)
+  {
     this->Mapper->SetInputData(image);
-    const auto geometry = cslf::testing::MakeTestSurfaces(field.Box);
     this->Mapper->SetGeometryData(geometry);
-    this->Surfaces.emplace(geometry, field.Box);
+    this->Surfaces.emplace(geometry, field);
     this->SeenFaces = this->FindSeenFaces(field.Box);
     this->Renderer->ResetCamera();
     cslf::Lookup lookup(field, image);
     lookup.LeaveOut(this->SeenFaces);
+    lookup.SetSurfaces(this->Surfaces->GetCells());
     const cslf::ChannelReader colors(field.Grid, image->GetPointData()->GetArray(cslf::ColorName));
     const FocalPoints focalPoints = cslf::FindFocalPoints(field, image);
     for (int mode = vtkCSLFMapper::NEAREST; mode < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++mode)
@@ -170,15 +179,23 @@ struct Fixture
   glm::dvec4 BlendOnSurface(
     const cslf::Lookup& lookup, const cslf::ChannelReader& colors, const cslf::RayCoordinates& ray)
   {
-    if (const auto hit = this->Surfaces->Intersect(ray))
+    const bool isOpaque = this->Surfaces->GetCells() != nullptr;
+    const auto hit = this->Surfaces->Intersect(ray);
+    if (!hit)
     {
-      const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, hit->Point, this->SeenFaces));
-      if (color.w > 0.0)
-      {
-        return color;
-      }
+      return colors.Blend(isOpaque ? lookup.OffSurface(ray) : lookup.DepthCorrected(ray));
     }
-    return colors.Blend(lookup.DepthCorrected(ray));
+    cslf::LookupResult before;
+    if (isOpaque && (before = lookup.InFront(ray, hit->Point)).IsFinal)
+    {
+      return colors.Blend(before);
+    }
+    const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, hit->Point, this->SeenFaces));
+    if (isOpaque && color.w <= 0.0 && (before = lookup.CloseInFront(ray, hit->Point)).IsFinal)
+    {
+      return colors.Blend(before);
+    }
+    return color.w > 0.0 ? color : colors.Blend(lookup.DepthCorrected(ray));
   }
 
   static cslf::LookupResult LookUp(const cslf::Lookup& lookup, int mode,
@@ -223,6 +240,19 @@ int TestCSLFMapperLookup(int, char*[])
   const auto whole =
     cslf::testing::MakeTestField(cslf::Layout(5, 32), box, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
   fixture.Compare("perspective", Describe(whole), whole);
+
+  // The wall, in front of which the sphere is looked up by depth.
+  const auto surfaces = cslf::testing::MakeTestSurfaces(box);
+  vtkNew<vtkCellArray> last;
+  last->InsertNextCell(surfaces->GetCell(surfaces->GetNumberOfCells() - 1));
+  vtkNew<vtkPolyData> wall;
+  wall->SetPoints(surfaces->GetPoints());
+  wall->SetPolys(last);
+  vtkNew<vtkDoubleArray> loss;
+  loss->SetName(cslf::GeometryOpaqueLossName);
+  loss->InsertNextValue(0.0);
+  wall->GetFieldData()->AddArray(loss);
+  fixture.Compare("opaque wall", Describe(whole), whole, wall);
 
   camera->ParallelProjectionOn();
   fixture.Compare("parallel", Describe(whole), whole);

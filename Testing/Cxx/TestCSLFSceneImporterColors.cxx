@@ -14,7 +14,9 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
@@ -198,6 +200,63 @@ double Look(vtkCSLFViewTracer* tracer)
   return cslf::LinearToSRGB(tracer->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0));
 }
 
+/// What was imported has its colours: neither an array that is selected for the scene nor a table
+/// nor the visibility of scalars changes them, whether a texture of the mapper's table or points
+/// hold them.
+void TestFinished()
+{
+  vtkNew<vtkLookupTable> green;
+  green->SetHueRange(1.0 / 3.0, 1.0 / 3.0);
+  green->Build();
+  vtkNew<vtkCamera> camera;
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.005);
+  camera->SetPosition(0.4, -0.4, 2.0);
+  camera->SetFocalPoint(0.4, -0.4, 0.0);
+  for (const bool isTexture : { true, false })
+  {
+    Square square;
+    square.SetNumbers();
+    square.Actor->GetMapper()->SetInterpolateScalarsBeforeMapping(isTexture);
+    vtkNew<vtkCSLFSceneImporter> importer;
+    importer->SetRenderer(square.Renderer);
+    importer->Update();
+    auto* block = vtkPolyData::SafeDownCast(importer->GetOutput()->GetBlock(0));
+    CSLF_CHECK(vtkCSLFMaterial::GetFinishedColors(block));
+    const char* name = isTexture ? "TextureCoordinates" : vtkCSLFMaterial::ColorsName();
+    CSLF_CHECK(block->GetPointData()->HasArray(name));
+    vtkNew<vtkFloatArray> other;
+    other->SetName("Other");
+    other->SetNumberOfTuples(block->GetNumberOfPoints());
+    other->Fill(0.5);
+
+    vtkNew<vtkCSLFViewTracer> tracer;
+    tracer->SetCamera(camera);
+    tracer->SetInputData(importer->GetOutput());
+    const double expected = Look(tracer);
+    CSLF_CHECK(expected > 0.5);
+    block->GetPointData()->AddArray(other);
+    block->GetPointData()->SetActiveScalars("Other");
+    block->Modified();
+    CSLF_CHECK(Look(tracer) == expected);
+    for (const char* chosen : { name, "Other" })
+    {
+      tracer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, chosen);
+      tracer->SetLookupTable(green);
+      CSLF_CHECK(Look(tracer) == expected);
+      tracer->SetLookupTable(nullptr);
+      CSLF_CHECK(Look(tracer) == expected);
+    }
+    tracer->ScalarVisibilityOff();
+    CSLF_CHECK(Look(tracer) == expected);
+    tracer->ScalarVisibilityOn();
+    vtkCSLFMaterial::SetFinishedColors(block, false);
+    block->Modified();
+    tracer->SetLookupTable(green);
+    CSLF_CHECK(Look(tracer) < 0.1);
+  }
+}
+
 /// Filters pass the option to the importer. Data can set it, and its default is light.
 void TestOption()
 {
@@ -300,6 +359,7 @@ int TestCSLFSceneImporterColors(int, char*[])
 {
   TestAgainstWindow();
   TestPhysical();
+  TestFinished();
   TestOption();
   TestEmission();
   return cslf::testing::Result();

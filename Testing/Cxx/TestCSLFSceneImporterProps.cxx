@@ -10,12 +10,15 @@
 #include <vtkActor.h>
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
+#include <vtkCameraPass.h>
 #include <vtkCommand.h>
 #include <vtkCubeSource.h>
+#include <vtkDefaultPass.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFollower.h>
 #include <vtkLODProp3D.h>
+#include <vtkLightsPass.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -23,12 +26,14 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSequencePass.h>
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTensorGlyph.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkToneMappingPass.h>
 #ifdef CSLF_TEST_LOD
 #include <vtkLODActor.h>
 #include <vtkQuadricLODActor.h>
@@ -211,9 +216,24 @@ void TestNamed()
   matrix->SetElement(3, 2, 0.1);
   actor->SetUserMatrix(matrix);
   check("projective matrices");
-  vtkNew<vtkSequencePass> pass;
-  renderer->SetPass(pass);
-  check("render passes: vtkSequencePass");
+  // Passes that draw what a renderer without a pass draws are not named, others are, wherever they
+  // are.
+  vtkNew<vtkSequencePass> sequence;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(vtkNew<vtkLightsPass>());
+  passes->AddItem(vtkNew<vtkDefaultPass>());
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  renderer->SetPass(camera);
+  messages->Clear();
+  importer->Update();
+  CSLF_CHECK(messages->GetWarningMessage().find("render passes") == std::string::npos);
+  vtkNew<vtkToneMappingPass> tones;
+  tones->SetDelegatePass(vtkNew<vtkDefaultPass>());
+  passes->AddItem(tones);
+  renderer->Modified();
+  check("render passes: vtkToneMappingPass (");
 }
 
 /// A renderer that shows no surface.

@@ -198,6 +198,7 @@ cslf::testing::SheetCell Compare(const SheetScene& scene, bool draws)
   cslf::testing::BakeOptions options;
   options.Background = Background;
   options.PixelSize = GetPixelSize(renderer);
+  options.PointRadius = scene.PointRadius;
   options.Samples = 144;
   cslf::testing::SheetCell cell;
   cell.Name = scene.Name;

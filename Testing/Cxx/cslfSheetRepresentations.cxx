@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Scenes of points, wireframes and lines, and of images in any plane.
+// Scenes of points, wireframes, lines and unusual polygons, and of images in any plane.
 #include "cslfSheetParts.h"
 #include "cslfSheetScenes.h"
 
@@ -10,6 +10,8 @@
 #include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkLineSource.h>
+#include <vtkMath.h>
+#include <vtkMinimalStandardRandomSequence.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
@@ -23,6 +25,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -132,6 +136,73 @@ void BuildUnlitLines(vtkRenderer* renderer)
   Look(renderer, 0.0, 0.0, 1.0);
 }
 
+void BuildPolygons(vtkRenderer* renderer)
+{
+  AddHeadlight(renderer);
+  // A square whose hole is joined to its outline by a bridge, a star that crosses itself, a bow tie,
+  // and a square whose corners come in rows.
+  const std::vector<std::vector<std::pair<double, double>>> outlines = {
+    { { -0.95, 0.1 }, { -0.1, 0.1 }, { -0.1, 0.95 }, { -0.95, 0.95 }, { -0.95, 0.1 },
+      { -0.7, 0.35 }, { -0.7, 0.7 }, { -0.35, 0.7 }, { -0.35, 0.35 }, { -0.7, 0.35 } },
+    { { 0.23, 0.1 }, { 0.52, 1.0 }, { 0.81, 0.1 }, { 0.05, 0.66 }, { 0.99, 0.66 } },
+    { { -0.95, -0.9 }, { -0.1, -0.15 }, { -0.1, -0.9 }, { -0.95, -0.15 } },
+    { { 0.15, -0.95 }, { 0.95, -0.95 }, { 0.15, -0.15 }, { 0.95, -0.15 } },
+  };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (const auto& outline : outlines)
+  {
+    polygons->InsertNextCell(static_cast<vtkIdType>(outline.size()));
+    for (const auto& corner : outline)
+    {
+      polygons->InsertCellPoint(points->InsertNextPoint(corner.first, corner.second, 0.0));
+    }
+    const vtkIdType i = colors->GetNumberOfTuples();
+    colors->InsertNextTuple3(200 - 40 * i, 90 + 30 * i, 60 + 45 * i);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  data->GetCellData()->SetScalars(colors);
+  AddData(renderer, data);
+  Look(renderer, 0.0, 0.0, 1.0);
+}
+
+void BuildCloud(vtkRenderer* renderer)
+{
+  AddHeadlight(renderer);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  while (points->GetNumberOfPoints() < 600)
+  {
+    double point[3];
+    for (double& coordinate : point)
+    {
+      coordinate = random->GetNextRangeValue(-1.0, 1.0);
+    }
+    if (vtkMath::Norm(point) < 1.0)
+    {
+      const vtkIdType id = points->InsertNextPoint(point);
+      vertices->InsertNextCell(1, &id);
+      colors->InsertNextTuple3(120 + 100 * point[1], 150 - 50 * point[0], 140 - 100 * point[1]);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->GetPointData()->SetScalars(colors);
+  vtkProperty* property = AddData(renderer, data)->GetProperty();
+  property->SetRenderPointsAsSpheres(true);
+  property->SetPointSize(25.0); // in the window only
+  Look(renderer, 0.2, 0.3, 1.0);
+}
+
 vtkSmartPointer<vtkImageData> MakeColumn()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -182,6 +253,8 @@ std::vector<SheetScene> MakeRepresentationScenes()
     { "Wireframe: strips, polylines", BuildWireframe, Expectation::Bounds, 17.0, 120.0 },
     { "Lines, points: no lighting", BuildUnlitLines, Expectation::Bounds, 17.0, 165.0 },
     { "Textures: planes, one column", BuildTexturePlanes },
+    { "Polygons that cross themselves", BuildPolygons, Expectation::Bounds, 4.0, 160.0 },
+    { "Cloud, radius from the spacing", BuildCloud, Expectation::Bounds, 34.0, 190.0, 0.0, -1.0 },
   };
 }
 }

@@ -35,12 +35,13 @@ struct SheetScene
   double Median = 30.0;     ///< between window and bake
   double Percentile = 80.0; ///< likewise, of 99 % of the pixels
   double Unexplained = 2.0; ///< between the expectation and the bake, for 99 % of the pixels
+  double PointRadius = 0.0; ///< of the scene importer
 };
 
 /// All scenes of the sheet.
 std::vector<SheetScene> MakeSheetScenes();
 
-/// Those of points, wireframes and lines, and of images in any plane.
+/// Those of points, wireframes, lines and unusual polygons, and of images in any plane.
 std::vector<SheetScene> MakeRepresentationScenes();
 }
 }

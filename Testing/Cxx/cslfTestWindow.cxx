@@ -43,6 +43,7 @@ std::vector<unsigned char> TraceBake(vtkRenderer* renderer, int size, const Bake
   importer->SetRenderer(renderer);
   importer->SetHeadlightsAllAround(options.HeadlightsAllAround);
   importer->SetPixelSize(options.PixelSize);
+  importer->SetPointRadius(options.PointRadius);
   importer->SetInterpolateDisplayedColors(options.InterpolateDisplayedColors);
   vtkNew<vtkCSLFViewTracer> tracer;
   tracer->SetIntegrator(options.Integrator);

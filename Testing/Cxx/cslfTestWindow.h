@@ -43,6 +43,7 @@ struct BakeOptions
   int MaximumDepth = 1; ///< direct light only, as in the window
   int Samples = 16;
   double PixelSize = 0.001; ///< of the scene importer
+  double PointRadius = 0.0; ///< likewise
   double Background = 0.0;  ///< grey, sRGB in [0,1], behind the scene
 };
 

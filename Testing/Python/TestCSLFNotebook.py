@@ -11,6 +11,11 @@ import cslf
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
 FIELD = sys.argv.pop()
 
 
@@ -37,6 +42,19 @@ class TestCSLFNotebook(unittest.TestCase):
                       {"view_up": (1.0, 0.0, 0.0)}):
             self.assertNotEqual(self.check(cslf.show(FIELD, size=(60, 60), **other), 60, 60), front)
 
+    @unittest.skipIf(numpy is None, "numpy is not installed")
+    def test_array(self):
+        picture = cslf.show(FIELD, size=(80, 60), background=(0.0, 0.0, 1.0))
+        pixels = numpy.asarray(picture)
+        self.assertEqual((pixels.shape, pixels.dtype), ((60, 80, 3), numpy.uint8))
+        self.assertEqual(pixels[0, 0].tolist(), [0, 0, 255])
+        # Rows begin at the top.
+        other = cslf.show(FIELD, size=(80, 60), background=(0.0, 0.0, 1.0),
+                          view_up=(0.0, -1.0, 0.0))
+        turned = numpy.asarray(other)[::-1, ::-1]
+        self.assertLess(numpy.abs(pixels.astype(int) - turned).mean(), 1.0)
+        self.assertGreater(numpy.abs(pixels.astype(int) - numpy.asarray(other)).mean(), 1.0)
+
     def test_save(self):
         picture = cslf.show(FIELD, size=(40, 40))
         picture.save("TestCSLFNotebook.png")
@@ -50,8 +68,10 @@ class TestCSLFNotebook(unittest.TestCase):
         try:
             with self.assertRaises(ValueError):
                 cslf.show(image)
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(FileNotFoundError, "missing.mp4"):
                 cslf.show("missing.mp4")
+            with self.assertRaisesRegex(ValueError, "not an MP4 or Matroska file"):
+                cslf.show(__file__)
         finally:
             image.GlobalWarningDisplayOn()
 

@@ -3,8 +3,10 @@
 """The package cslf works beside vtkmodules: a sphere is sampled, its samples are read, and it is
 drawn."""
 import json
+import sys
 import unittest
 
+import cslf
 from cslf import (make_actor, vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler,
                   vtkCSLFSceneSource)
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
@@ -17,6 +19,7 @@ try:
 except ImportError:  # without numpy
     vtk_to_numpy = None
 
+CMAKE_LISTS = sys.argv.pop()  # of the project
 VIEWPOINTS = 3
 RESOLUTION = 32
 SLICES = 6 * VIEWPOINTS**2
@@ -72,6 +75,31 @@ class TestCSLFPackage(unittest.TestCase):
         self.assertEqual(sampler.GetOutput().GetExtent()[4:], (3, 3))
         actor = make_actor(sampler)
         self.assertLess(actor.GetBounds()[0], actor.GetBounds()[1])
+
+    def test_names(self):
+        """The version, and what Python's help shows of setters of named values."""
+        with open(CMAKE_LISTS, encoding="utf-8") as file:
+            self.assertIn(f"project(CSLF VERSION {cslf.__version__} ", file.read())
+        setters = 0
+        for kind in vars(cslf.vtkCSLF).values():
+            for name, method in vars(kind).items() if isinstance(kind, type) else ():
+                if name.startswith("Set") and "To" in name and f"{name}(self)" in method.__doc__:
+                    setters += 1
+                    self.assertRegex(method.__doc__, r"C\+\+: .*\n\n\w", f"{kind} {name}")
+        self.assertGreater(setters, 20)
+
+    def test_clamp(self):
+        """Numbers outside of a parameter's range."""
+        for name, value, used in (("Viewpoints", 1, 2), ("Quality", 99, 2), ("Integrator", -1, 0),
+                                  ("NoiseTarget", 2.0, 1.0), ("Offset", float("nan"), 0.05)):
+            sampler = vtkCSLFSampler()
+            messages = []
+            sampler.AddObserver("WarningEvent", lambda *_: messages.append(True))
+            getattr(sampler, f"Set{name}")(used)
+            self.assertEqual(messages, [], name)
+            getattr(sampler, f"Set{name}")(value)
+            self.assertEqual(messages, [True], name)
+            self.assertEqual(getattr(sampler, f"Get{name}")(), used)
 
     def test_scenes(self):
         names = [vtkCSLFSceneSource.GetSceneName(i)

@@ -92,12 +92,12 @@ class TestCSLFPyVista(unittest.TestCase):
         plotter = self.make_plotter()
         with self.assertRaises(ValueError):
             plotter.cslf.bake(crf=20.0)
-        with self.assertRaisesRegex(RuntimeError, "nowhere"):
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere"):
             plotter.cslf.bake("nowhere/field.mp4", viewpoints=2, resolution=8, samples=1)
         vtkImageData().GlobalWarningDisplayOff()
         try:
-            with self.assertRaises(RuntimeError):
-                plotter.cslf.bake("nowhere/field.mp4", viewpoints=2, resolution=8, samples=1)
+            with self.assertRaisesRegex(cslf.Error, "at least 16"):
+                plotter.cslf.bake("small.mp4", viewpoints=2, resolution=8, samples=1)
             with self.assertRaises(ValueError):
                 plotter.cslf.add_light_field(vtkImageData())
             with self.assertRaises(ValueError):

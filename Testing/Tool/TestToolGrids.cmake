@@ -119,3 +119,20 @@ cslf_fail("Cannot read strings.vtp" "x" export strings.vtp -o x.obj)
 file(WRITE "${DIRECTORY}/crash.vtk" "${legacy}UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1
 CELLS 1 5\n400000000 0 1 2 3\nCELL_TYPES 1\n10\n")
 cslf_fail("Cannot read crash.vtk" "x" export crash.vtk -o x.obj)
+# Points without cells are shown as those with vertices are.
+set(ids)
+foreach (id RANGE 26)
+  string(APPEND ids "${id} ")
+endforeach ()
+write_xml(points.vtp PolyData "" "NumberOfPoints=\"27\"" "${scalars}${lattice}")
+write_xml(points.vtu UnstructuredGrid "" "NumberOfPoints=\"27\" NumberOfCells=\"0\""
+  "${scalars}${lattice}<Cells><DataArray type=\"Int64\" Name=\"connectivity\"/>
+<DataArray type=\"Int64\" Name=\"offsets\"/><DataArray type=\"UInt8\" Name=\"types\"/></Cells>")
+write_xml(verts.vtp PolyData "" "NumberOfPoints=\"27\" NumberOfVerts=\"1\""
+  "${scalars}${lattice}<Verts><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">${ids}</DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">27</DataArray></Verts>")
+foreach (name IN ITEMS verts.vtp points.vtp points.vtu)
+  cslf_run(trace ${name} -o ${name}.png ${view})
+  cslf_run(compare ${name}.png verts.vtp.png --json)
+  expect_json_at_least(60 psnr)
+endforeach ()

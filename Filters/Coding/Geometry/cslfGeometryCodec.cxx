@@ -334,6 +334,7 @@ JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
   }
   const double error = GetNumber(geometry, GeometryErrorName);
   const double loss = GetNumber(geometry, GeometryLossName);
+  const double opaqueLoss = GetNumber(geometry, GeometryOpaqueLossName);
   if (error >= 0.0)
   {
     header["error"] = error;
@@ -341,6 +342,10 @@ JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
   if (loss >= 0.0)
   {
     header["loss"] = loss;
+  }
+  if (opaqueLoss >= 0.0)
+  {
+    header["opaque_loss"] = opaqueLoss;
   }
   auto* scene =
     vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometrySceneName));
@@ -444,6 +449,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
   }
   AddNumber(header, "error", GeometryErrorName, geometry);
   AddNumber(header, "loss", GeometryLossName, geometry);
+  AddNumber(header, "opaque_loss", GeometryOpaqueLossName, geometry);
   if (header.contains("scene"))
   {
     vtkNew<vtkStringArray> scene;

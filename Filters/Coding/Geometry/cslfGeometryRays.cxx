@@ -12,20 +12,28 @@
 
 #include <glm/geometric.hpp>
 
+#include <vector>
+
 namespace cslf
 {
-GeometryRays::GeometryRays(vtkPolyData* geometry, const Cube& box)
+GeometryRays::GeometryRays(vtkPolyData* geometry, const Description& field)
   : HasAll(IsCompleteGeometry(geometry))
 {
   this->TrianglesCC->ShallowCopy(Triangulate(geometry));
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  std::vector<glm::vec3> pointsCC;
   for (vtkIdType i = 0; i < this->TrianglesCC->GetNumberOfPoints(); ++i)
   {
     double place[3];
     this->TrianglesCC->GetPoint(i, place);
-    const glm::dvec3 point = box.PointToCube({ place[0], place[1], place[2] });
+    const glm::dvec3 point = field.Box.PointToCube({ place[0], place[1], place[2] });
     points->InsertNextPoint(point.x, point.y, point.z);
+    pointsCC.emplace_back(point);
+  }
+  if (IsOpaqueGeometry(geometry))
+  {
+    this->Cells = std::make_shared<SurfaceCells>(field, pointsCC, ListCorners(this->TrianglesCC));
   }
   this->TrianglesCC->SetPoints(points);
   this->Colors = FindPointColors(this->TrianglesCC);

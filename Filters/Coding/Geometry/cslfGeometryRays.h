@@ -11,7 +11,7 @@
 
 #include "Lookup/cslfLookup.h"
 #include "Pipeline/cslfGeometryArrays.h"
-#include "cslfCube.h"
+#include "cslfDescription.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -19,6 +19,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace cslf
@@ -33,10 +34,13 @@ public:
   };
 
   /// Polygons in world coordinates, with point data `Color` and `BackColor`.
-  GeometryRays(vtkPolyData* geometry, const Cube& box);
+  GeometryRays(vtkPolyData* geometry, const Description& field);
 
   /// Whether it has all surfaces: rays that miss it see none.
   bool IsComplete() const { return this->HasAll; }
+
+  /// Where it is, if it has only the opaque surfaces: rays may meet others. Otherwise null.
+  const std::shared_ptr<const SurfaceCells>& GetCells() const { return this->Cells; }
 
   /// The first point that a ray meets. May be called by several threads at once.
   std::optional<Hit> Intersect(const RayCoordinates& ray) const;
@@ -46,6 +50,7 @@ private:
   vtkNew<vtkStaticCellLocator> Locator;
   PointColorArrays Colors; ///< of TrianglesCC
   bool HasAll;
+  std::shared_ptr<const SurfaceCells> Cells;
 };
 }
 

@@ -158,6 +158,10 @@ public:
     , HasAll(surfaces && surfaces->IsComplete() && !field.MayShowEnvironment())
     , IsLinear(field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding)
   {
+    if (surfaces && surfaces->GetCells())
+    {
+      this->Views.SetSurfaces(surfaces->GetCells());
+    }
   }
 
   /// The colour of a ray over black.
@@ -165,14 +169,28 @@ public:
   {
     const auto hit =
       this->Surfaces ? this->Surfaces->Intersect(ray) : std::optional<GeometryRays::Hit>();
+    const bool isOpaque = this->Surfaces && this->Surfaces->GetCells();
     if (!hit)
     {
-      return this->HasAll ? glm::dvec4(0.0) : this->Colors.Blend(this->Views.DepthCorrected(ray));
+      return this->HasAll ? glm::dvec4(0.0)
+                          : this->Colors.Blend(isOpaque ? this->Views.OffSurface(ray)
+                                                        : this->Views.DepthCorrected(ray));
+    }
+    LookupResult before;
+    if (isOpaque && (before = this->Views.InFront(ray, hit->Point)).IsFinal)
+    {
+      return this->Colors.Blend(before);
     }
     const glm::dvec4 seen = this->Colors.Blend(this->Views.OnSurface(ray, hit->Point, 0));
-    return seen.w > 0.0    ? seen
-      : hit->Color.w > 0.0 ? hit->Color
-                           : this->Colors.Blend(this->Views.DepthCorrected(ray));
+    if (seen.w > 0.0)
+    {
+      return seen;
+    }
+    if (isOpaque && (before = this->Views.CloseInFront(ray, hit->Point)).IsFinal)
+    {
+      return this->Colors.Blend(before);
+    }
+    return hit->Color.w > 0.0 ? hit->Color : this->Colors.Blend(this->Views.DepthCorrected(ray));
   }
 
   /// The colour of a texel over black: with geometry, the mean of the light of several rays.
@@ -384,7 +402,7 @@ bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
   std::optional<GeometryRays> surfaces;
   if (geometry && IsUsefulGeometry(geometry) && field.FindChannel(KnownChannel::Depth))
   {
-    surfaces.emplace(geometry, field.Box);
+    surfaces.emplace(geometry, field);
   }
   const std::vector<int> steps = ListSteps(field.Grid.GetViewpoints());
   KeyViewChoice best; // of steps that are not good enough

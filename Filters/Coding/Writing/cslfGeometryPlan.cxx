@@ -3,6 +3,7 @@
 #include "cslfGeometryPlan.h"
 
 #include "Coding/Geometry/cslfGeometryCodec.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include <vtkPolyData.h>
@@ -50,7 +51,8 @@ GeometryPlan::GeometryPlan(
   std::string ignored;
   const auto geometry =
     bytes.empty() || !computed.HasDepth ? nullptr : DecodeGeometry(bytes, field.Box, ignored);
-  if (geometry &&
+  // What a geometry of the opaque surfaces lacks is only in the depth.
+  if (geometry && !IsOpaqueGeometry(geometry) &&
     static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MostTriangles)
   {
     // As readers get it, with positions that are rounded.

@@ -342,15 +342,33 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
 
 std::string FindGeometryFault(const Scene& scene)
 {
-  const std::vector<Mesh>& meshes = scene.GetMeshes();
-  if (std::any_of(meshes.begin(), meshes.end(),
-        [](const Mesh& mesh) {
-          return mesh.IsTranslucent() || mesh.Material.Hides(false) || mesh.Material.Hides(true);
-        }))
+  const ShapeCounts shapes = CountShapes(scene);
+  if (shapes.Opaque == 0 && shapes.Omitted > 0)
   {
-    return "surfaces are translucent, or visible from one side only";
+    return "all surfaces are translucent, or visible from one side only";
   }
-  return CountTriangles(meshes, Coarsest) > MostTessellated ? "there are too many shapes" : "";
+  return CountTriangles(scene.GetMeshes(), Coarsest) > MostTessellated ? "there are too many shapes"
+                                                                       : "";
+}
+
+ShapeCounts CountShapes(const Scene& scene)
+{
+  ShapeCounts counts;
+  for (const Mesh& mesh : scene.GetMeshes())
+  {
+    const std::size_t shapes = mesh.GetNumberOfShapes();
+    const auto opaqueInstances = static_cast<std::size_t>(std::count_if(mesh.Instances.begin(),
+      mesh.Instances.end(), [](const MeshInstance& instance) { return IsOpaque(instance); }));
+    std::size_t opaque = 0;
+    for (std::uint32_t shape = 0; shape < shapes; ++shape)
+    {
+      opaque += IsOpaque(mesh, shape) ? 1 : 0;
+    }
+    opaque *= mesh.Instances.empty() ? 1 : opaqueInstances;
+    counts.Opaque += opaque;
+    counts.Omitted += shapes * std::max<std::size_t>(1, mesh.Instances.size()) - opaque;
+  }
+  return counts;
 }
 
 std::optional<Geometry> MakeGeometry(

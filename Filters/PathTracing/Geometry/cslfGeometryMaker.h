@@ -50,13 +50,22 @@ struct Geometry
   std::array<Side, 2> Sides;
 };
 
-/// Says in a few words why a scene cannot have a geometry: surfaces that rays pass would need an
-/// order, or there are too many shapes. Empty if it can.
+/// Says in a few words why a scene cannot have a geometry: none of its surfaces is opaque, or there
+/// are too many shapes. Empty if it can.
 VTKCSLF_EXPORT std::string FindGeometryFault(const Scene& scene);
 
-/// The surface of a scene that the viewpoints see, simplified where that moves it by much less than
-/// a texel, and further until there are few enough triangles. Large ones are divided again. Nothing
-/// if `progress` returns false.
+/// How many of a scene's shapes, in all instances, its geometry is without: surfaces that rays may
+/// pass would need an order.
+struct ShapeCounts
+{
+  std::size_t Opaque = 0;
+  std::size_t Omitted = 0;
+};
+VTKCSLF_EXPORT ShapeCounts CountShapes(const Scene& scene);
+
+/// The opaque surface of a scene that the viewpoints see, simplified where that moves it by much
+/// less than a texel, and further until there are few enough triangles. Large ones are divided
+/// again. Nothing if `progress` returns false.
 VTKCSLF_EXPORT std::optional<Geometry> MakeGeometry(
   const Scene& scene, const GeometrySettings& settings, const Progress& progress);
 }

@@ -27,6 +27,9 @@ constexpr float MostCells = 512.0f;
 /// The most points of a triangle that are checked, besides its corners.
 constexpr int MostPoints = 4096;
 
+/// Rays pass what the geometry does not have: all that is not opaque, but for rounding.
+constexpr float LeastOpacity = 0.999f;
+
 constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
 
 /// Tiles with at least this number of texels along each side need a ray for one of four texels
@@ -118,6 +121,7 @@ void SeenPlaces::LookAlong(const RayGrid& rays, int texels, int stride, const gl
   const glm::ivec3 none(-1);
   std::vector<glm::ivec3> cells(std::size_t(side) * side, none);
   RayPacket packet;
+  packet.LeastOpacity = LeastOpacity;
   PacketScale scale;
   float x[RayPacket::Size];
   float y[RayPacket::Size];

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cslf
 {
@@ -127,7 +128,19 @@ void AddTube(const Tube& tube, float tolerance, SurfaceMesh& result)
   turner.AddCap(tube.GetCenter(1.0f), radii[1], touch, tube.Joints[1] ? touch : pole);
 }
 
-/// A mesh without its instances, in its own space.
+void AddTube(const Mesh& mesh, std::uint32_t shape, float tolerance, SurfaceMesh& result)
+{
+  const std::size_t first = 2 * std::size_t(shape);
+  Tube tube(
+    mesh.Vertices[first], mesh.Vertices[first + 1], mesh.Radii[first], mesh.Radii[first + 1]);
+  for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
+  {
+    tube.Joints[end] = mesh.Joints[first + end] != 0;
+  }
+  AddTube(tube, tolerance, result);
+}
+
+/// The opaque shapes of a mesh without its instances, in its own space.
 SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& progress)
 {
   SurfaceMesh result;
@@ -141,22 +154,27 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& pro
   };
   if (mesh.Shape == Mesh::Shapes::Triangles)
   {
-    result = { mesh.Vertices, mesh.Triangles };
+    result.Points = mesh.Vertices;
   }
-  for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Spheres && i < mesh.Vertices.size(); ++i)
+  for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
   {
-    report(i);
-    AddSphere(mesh.Vertices[i], mesh.Radii[i], tolerance, result);
-  }
-  for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Tubes && i + 1 < mesh.Vertices.size(); i += 2)
-  {
-    report(i / 2);
-    Tube tube(mesh.Vertices[i], mesh.Vertices[i + 1], mesh.Radii[i], mesh.Radii[i + 1]);
-    for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
+    report(shape);
+    if (!IsOpaque(mesh, shape))
     {
-      tube.Joints[end] = mesh.Joints[i + end] != 0;
+      continue;
     }
-    AddTube(tube, tolerance, result);
+    switch (mesh.Shape)
+    {
+      case Mesh::Shapes::Triangles:
+        result.Triangles.push_back(mesh.Triangles[shape]);
+        break;
+      case Mesh::Shapes::Spheres:
+        AddSphere(mesh.Vertices[shape], mesh.Radii[shape], tolerance, result);
+        break;
+      case Mesh::Shapes::Tubes:
+        AddTube(mesh, shape, tolerance, result);
+        break;
+    }
   }
   ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
@@ -207,6 +225,10 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress&
     return;
   }
   SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale, progress);
+  if (part.Triangles.empty())
+  {
+    return;
+  }
   const std::size_t most = settings.MostTriangles / mesh.Instances.size();
   ChangeApart(part, Within(progress, 1.0, 1.0),
     [most, tolerance = tolerance / scale, coarseness = settings.Coarseness](SurfaceMesh& changed)
@@ -218,9 +240,32 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress&
     });
   for (const MeshInstance& instance : mesh.Instances)
   {
-    Append(part, instance, result);
+    if (IsOpaque(instance))
+    {
+      Append(part, instance, result);
+    }
   }
 }
+}
+
+bool IsOpaque(const Mesh& mesh, std::uint32_t shape)
+{
+  if (mesh.Material.Hides(false) || mesh.Material.Hides(true) ||
+    (mesh.Textures.BaseColor && mesh.Textures.BaseColor->IsTranslucent()))
+  {
+    return false;
+  }
+  // Opacities are interpolated, so the smallest is at a corner.
+  constexpr glm::vec2 corners[] = { { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 0.0f, 1.0f } };
+  return std::all_of(std::begin(corners), std::end(corners),
+    [&](const glm::vec2& corner) {
+      return mesh.GetOpacity({ shape, corner.x, corner.y }) >= 1.0f;
+    });
+}
+
+bool IsOpaque(const MeshInstance& instance)
+{
+  return instance.Opacity >= 1.0f;
 }
 
 std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)

@@ -34,7 +34,12 @@ struct TessellationSettings
 /// About how many triangles a tessellation of that coarseness has at least.
 VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness);
 
-/// Triangles of all meshes and instances, welded. Throws Aborted.
+/// Whether no ray passes a shape, or an instance, without meeting it, from either side. Surfaces
+/// whose texture has holes anywhere count as open.
+bool IsOpaque(const Mesh& mesh, std::uint32_t shape);
+bool IsOpaque(const MeshInstance& instance);
+
+/// Triangles of the opaque shapes of all opaque instances and other meshes, welded. Throws Aborted.
 VTKCSLF_EXPORT SurfaceMesh Tessellate(
   const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress);
 }

@@ -35,7 +35,7 @@ LocalLights::LocalLights(const std::vector<Mesh>& meshes, const std::vector<Poin
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
     const Mesh& mesh = meshes[i];
-    if (!mesh.Material.IsEmissive())
+    if (!mesh.Material.IsEmissive() || mesh.Material.Unlit)
     {
       continue;
     }

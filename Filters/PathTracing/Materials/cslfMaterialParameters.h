@@ -47,6 +47,7 @@ enum ParameterIndex
   LineRadius,
   PointRadius,
   DisplayedWhite,
+  FinishedColors,
   NumberOfParameters
 };
 
@@ -71,6 +72,7 @@ inline const Parameter Parameters[] = {
   { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited },
   { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited },
   { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0, Unlimited },
+  { vtkCSLFMaterial::FinishedColorsName(), 1, 0.0, 0.0, 1.0 },
 };
 static_assert(std::size(Parameters) == NumberOfParameters, "each parameter needs a row");
 

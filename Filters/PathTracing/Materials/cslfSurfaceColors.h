@@ -7,11 +7,17 @@
 #ifndef cslfSurfaceColors_h
 #define cslfSurfaceColors_h
 
+#include "cslfTexture.h"
+
 #include <vtkSmartPointer.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <map>
+#include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -25,6 +31,17 @@ struct MappedColors
 {
   std::vector<glm::vec3> Colors; ///< linear
   std::vector<float> Opacities;  ///< empty if all are 1
+};
+
+/// Whether an array contains colours: unsigned chars of 3 or 4 components. False for null.
+bool HoldsColors(vtkDataArray* array);
+
+/// A lookup table as a texture, for scalars that are interpolated before they are mapped.
+struct MappedTable
+{
+  std::shared_ptr<const Texture> Colors; ///< null if the array must be mapped first
+  std::string Name;                      ///< identifies the colours
+  std::vector<glm::vec2> Places;         ///< of the array's tuples
 };
 
 /// Whether a table contains any colours. VTK reads past the end of tables without colours.
@@ -47,15 +64,37 @@ public:
   /// are sRGB colours themselves; all other arrays are mapped. Threads may call it at once.
   MappedColors Map(vtkDataArray* array);
 
+  /// The table and the places on it of an array that can be mapped, unless it holds colours or its
+  /// table is one of categories or has no range. Threads may call it at once.
+  MappedTable FindPlaces(vtkDataArray* array);
+
 private:
+  /// A table's colours, from below its range to above it. The second row is the colour of NaN.
+  struct Scale
+  {
+    std::shared_ptr<const Texture> Colors;
+    std::string Name;
+    int Steps = 0; ///< within the range
+    double Range[2] = { 0.0, 1.0 };
+    bool IsLogarithmic = false;
+
+    double GetPosition(double value) const;
+    glm::vec2 GetPlace(double value) const;
+  };
+
   /// Null for the default one.
   vtkScalarsToColors* FindTable(vtkDataArray* array) const;
 
+  /// The default one as well.
+  vtkScalarsToColors* GetTable(vtkDataArray* array);
+
   vtkSmartPointer<vtkUnsignedCharArray> MapThroughTable(vtkDataArray* array);
+  static Scale MakeScale(vtkScalarsToColors* table);
 
   vtkScalarsToColors* LookupTable;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
   double Range[2];
+  std::map<vtkScalarsToColors*, Scale> Scales;
   std::mutex Mapping; ///< tables do not allow several threads
 };
 }

@@ -94,6 +94,7 @@ public:
   float OpacityCutoff = 0.0f;     ///< above 0: lower opacities count as 0, others as 1
   float NormalScale = 1.0f;       ///< how far the normal texture bends normals
   glm::vec3 Emission{ 0.0f };     ///< radiance, from all visible sides
+  bool Unlit = false;             ///< whether it shows its base colour besides its emission
   VisibleSides Sides = VisibleSides::Both; ///< of triangles
   SpecularAlbedo DielectricSpecular; ///< of the boundary; for any roughness if a texture varies it
 
@@ -104,7 +105,10 @@ public:
   }
 
   /// Whether it emits light. No component of an emission is negative.
-  bool IsEmissive() const { return this->Emission.x + this->Emission.y + this->Emission.z > 0.0f; }
+  bool IsEmissive() const
+  {
+    return this->Unlit || this->Emission.x + this->Emission.y + this->Emission.z > 0.0f;
+  }
 
   /// Whether it has only a diffuse base, which reflects equally in all directions.
   bool IsLambertian() const;

@@ -75,6 +75,7 @@ struct SceneBlock
   vtkSmartPointer<vtkDataArray> Scalars;
   bool ScalarsOfCells = false;
   glm::vec3 DisplayedWhite{ 0.0f }; ///< see vtkCSLFMaterial
+  bool HasFinishedColors = false;   ///< likewise
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Appearance; ///< identifies the material and the textures

@@ -20,6 +20,7 @@
 #include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
 
+#include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -78,6 +79,7 @@ struct Omissions
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
+  vtkIdType LitColors = 0;       ///< blocks whose colours were chosen for lights
   std::set<std::string> Unsound; ///< cells that would be read out of bounds
   std::set<std::string> DataTypes;
   OldNames Old;
@@ -85,8 +87,13 @@ struct Omissions
 
   std::string ToText() const
   {
+    const std::string lit = this->LitColors > 0
+      ? "Colors are not exact where the scene was imported from a window with its lights: import "
+        "it "
+        "with exact colors."
+      : "";
     std::string text = this->ListOmitted();
-    for (const std::string& more : { this->Old.ToText(), this->Materials.ToText() })
+    for (const std::string& more : { lit, this->Old.ToText(), this->Materials.ToText() })
     {
       text += (text.empty() || more.empty() ? "" : " ") + more;
     }
@@ -157,6 +164,17 @@ bool IsInvisible(const Mesh& mesh)
     most *= std::max_element(mesh.Instances.begin(), mesh.Instances.end(), isLess)->Opacity;
   }
   return !(most > 0.0f) || most < mesh.Material.OpacityCutoff;
+}
+
+/// The colours of points, or else of cells, of data that has its final colours. Null if it has
+/// none.
+vtkDataArray* FindFinishedColors(vtkPolyData* data, bool& ofCells)
+{
+  const char* name = vtkCSLFMaterial::ColorsName();
+  vtkDataArray* ofPoints = data->GetPointData()->GetArray(name);
+  ofCells = !HoldsColors(ofPoints);
+  vtkDataArray* colors = ofCells ? data->GetCellData()->GetArray(name) : ofPoints;
+  return HoldsColors(colors) ? colors : nullptr;
 }
 
 std::string DescribeSize(double size)
@@ -334,7 +352,9 @@ private:
 
   void AddBlock(SceneBlock block)
   {
-    block.Scalars = this->Options.FindScalars(block.Data, block.ScalarsOfCells);
+    block.Scalars = block.HasFinishedColors
+      ? FindFinishedColors(block.Data, block.ScalarsOfCells)
+      : this->Options.FindScalars(block.Data, block.ScalarsOfCells);
     if (block.Scalars && !this->Colors.CanMap(block.Scalars))
     {
       this->Omitted.Unsound.insert("colors of a lookup table without values");
@@ -405,6 +425,10 @@ private:
     vtkNew<vtkPolyData> holder;
     vtkCSLFMaterial::Inherit(holder, data);
     vtkCSLFMaterial::Inherit(holder, root);
+    if (this->Options.ExactColors)
+    {
+      this->MakePlain(holder);
+    }
     double color[3];
     double emission[3];
     vtkCSLFMaterial::GetBaseColor(holder, color);
@@ -419,14 +443,33 @@ private:
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.Sides = ReadSides(holder);
+    block.Material.Unlit = this->Options.ExactColors;
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
     block.DisplayedWhite = GetDisplayedWhite(holder);
+    block.HasFinishedColors = vtkCSLFMaterial::GetFinishedColors(holder);
     block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
     block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
     block.Textures = this->Textures.Read(holder);
     Fingerprint appearance;
     appearance.Add(holder->GetFieldData(), this->Hashes);
     block.Appearance = appearance.Finish();
+  }
+
+  /// Leaves only what determines a material's own colour, which is interpolated as displayed.
+  void MakePlain(vtkPolyData* material)
+  {
+    const glm::vec3 white = GetDisplayedWhite(material);
+    this->Omitted.LitColors += white != glm::vec3(0.0f) && white != glm::vec3(1.0f) ? 1 : 0;
+    vtkCSLFMaterial::SetMetallic(material, 0.0);
+    vtkCSLFMaterial::SetRoughness(material, 1.0);
+    vtkCSLFMaterial::SetIndexOfRefraction(material, 1.0);
+    vtkCSLFMaterial::SetTransmission(material, 0.0);
+    for (const int slot :
+      { vtkCSLFMaterial::MetallicRoughnessTexture, vtkCSLFMaterial::NormalTexture })
+    {
+      vtkCSLFMaterial::SetTexture(material, slot, nullptr);
+    }
+    vtkCSLFMaterial::SetDisplayedWhite(material, 1.0, 1.0, 1.0);
   }
 
   void CheckTextures(SceneBlock& block)
@@ -509,6 +552,10 @@ private:
     const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
   {
     Fingerprint identity;
+    if (this->Options.ExactColors)
+    {
+      identity.Add(std::vector<char>{ 'e' });
+    }
     identity.Add(
       std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
     for (const Mesh& mesh : meshes)

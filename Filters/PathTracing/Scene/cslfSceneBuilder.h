@@ -31,6 +31,9 @@ struct SceneOptions
   /// Maps arrays that contain no colours. Null for the array's own table, or a default one.
   vtkScalarsToColors* LookupTable = nullptr;
 
+  /// Whether surfaces show their own colours instead of light.
+  bool ExactColors = false;
+
   Environment Surroundings; ///< unless an input has its own
 
   ///@{

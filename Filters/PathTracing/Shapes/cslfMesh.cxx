@@ -145,10 +145,12 @@ glm::vec3 Mesh::GetEmissionFactor(const TrianglePoint& point) const
 
 glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
 {
-  const glm::vec3 emission = this->GetEmissionFactor(point);
-  return this->Textures.Emission
-    ? emission * glm::vec3(this->Textures.Emission->Get(this->Interpolate(this->TexCoords, point)))
-    : emission;
+  glm::vec3 emission = this->GetEmissionFactor(point);
+  if (this->Textures.Emission)
+  {
+    emission *= glm::vec3(this->Textures.Emission->Get(this->Interpolate(this->TexCoords, point)));
+  }
+  return this->Material.Unlit ? emission + this->GetBaseColor(point) : emission;
 }
 
 void Mesh::PrepareRounding()
@@ -166,7 +168,7 @@ void Mesh::PrepareRounding()
 void Mesh::PrepareEmission()
 {
   this->EmissionImportances.clear();
-  if (this->Material.IsEmissive() &&
+  if (this->Material.IsEmissive() && !this->Material.Unlit &&
     (this->Textures.Emission || this->IsTranslucent() || this->EmissionsOf != ColorsOf::None))
   {
     const std::uint32_t count = this->GetNumberOfShapes();

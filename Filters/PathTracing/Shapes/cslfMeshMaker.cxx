@@ -91,6 +91,12 @@ public:
     }
     this->Result.Textures = this->Source.Textures;
     this->Result.Appearance = this->Source.Appearance;
+    if (this->Table.Colors)
+    {
+      this->Result.Material.BaseColor = glm::vec3(1.0f);
+      this->Result.Textures.BaseColor = this->Table.Colors;
+      this->Result.Appearance += this->Table.Name;
+    }
     return std::move(this->Result);
   }
 
@@ -195,8 +201,17 @@ private:
     {
       return;
     }
-    const MappedColors mapped = colors.Map(this->Source.Scalars);
     const bool ofCells = this->Source.ScalarsOfCells;
+    if (this->Source.Material.Unlit && !ofCells && !this->Source.HasTextures())
+    {
+      this->Table = colors.FindPlaces(this->Source.Scalars);
+      if (this->Table.Colors)
+      {
+        this->AddPlaces();
+        return;
+      }
+    }
+    const MappedColors mapped = colors.Map(this->Source.Scalars);
     this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
     const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
     this->Result.Colors.reserve(used.size());
@@ -209,6 +224,16 @@ private:
       {
         this->Result.Opacities.push_back(mapped.Opacities[index]);
       }
+    }
+  }
+
+  /// The points' places on the lookup table, which is a texture of the mesh.
+  void AddPlaces()
+  {
+    this->Result.TexCoords.reserve(this->Points.size());
+    for (vtkIdType point : this->Points)
+    {
+      this->Result.TexCoords.push_back(this->Table.Places[point]);
     }
   }
 
@@ -280,6 +305,7 @@ private:
   const SceneFrame& World;
   SceneFrame Frame; // of the mesh
   Mesh Result;
+  MappedTable Table;                // if it is a texture
   std::vector<std::uint32_t> Index; // of each point, its vertex in triangles
   std::vector<vtkIdType> Points;    // of each vertex, its point
   std::vector<vtkIdType> Cells;     // of each shape, its cell

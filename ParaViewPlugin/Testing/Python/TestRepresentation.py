@@ -14,10 +14,19 @@ view = make_view()
 display = Show(field, view)
 check(display.Representation == "Light Field", f"shown as {display.Representation}")
 
-# The camera's reset sees the cube, not the image data of the samples.
-ResetCamera(view)
-distance = sum((a - b) ** 2 for a, b in zip(view.CameraPosition, view.CameraFocalPoint)) ** 0.5
-check(distance < 6 and abs(view.CameraFocalPoint[2] - 1.0) < 0.01, f"camera at {distance}")
+# The window shows the field only, when it is applied: its geometry has other colours.
+controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+other_view = make_view()
+check(controller.ShowInPreferredView(field.SMProxy, 1, other_view.SMProxy) is None
+      and not other_view.Representations, "the geometry is shown, too")
+
+# The camera's reset sees what was baked, not the cube or the image data of the samples.
+alone = make_view()
+Show(scene, alone)
+for reset in (alone, view):
+    ResetCamera(reset)
+distance = max(abs(a - b) for a, b in zip(view.CameraPosition, alone.CameraPosition))
+check(distance < 0.05, f"the camera at {view.CameraPosition}, not {alone.CameraPosition}")
 
 look(view)
 picture = take_picture(view, "field.png")

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Baking everything that a view shows: colours, materials, lights, and nothing else."""
+import re
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -75,3 +77,69 @@ captured_points = unnamed.GetClientSideObject().GetOutput().GetBlock(0).GetPoint
 names = [captured_points.GetAbstractArray(i).GetName()
          for i in range(captured_points.GetNumberOfArrays())]
 check(None not in names and len(set(names)) == len(names), f"captured {names}")
+
+# The field has a legend of what was baked. When the colour map of the view changes, the field and
+# its legend stay, and a note in orange says that they are out of date, until it changes back.
+table = GetColorTransferFunction("Elevation")
+table.ApplyPreset("Viridis (matplotlib)", True)
+Hide(hidden, view)
+Render(view)
+captured.InvokeCommand("Capture")
+small = bake(captured, Viewpoints=3, Resolution=32, Samples=4)
+baked_view = make_view()
+shown = Show(small, baked_view)
+look(baked_view)
+baked_view.Background = [0.0, 0.0, 0.01]  # to find it again
+
+
+def count_note(picture):
+    lower = picture[:SIZE // 6]
+    return ((lower[:, :, 0] > 200) & (abs(lower[:, :, 1] - 153) < 40) & (lower[:, :, 2] < 60)).sum()
+
+
+plain = take_picture(baked_view, "no_legend.png")
+shown.ShowLegend = 1
+legend = take_picture(baked_view, "legend.png")
+bar = abs(legend - plain).sum(axis=2) > 30
+check(bar.sum() > 300 and bar[:, SIZE // 3:].sum() == 0, f"a legend of {bar.sum()} pixels")
+yellow = (legend[:, :, 0] > 230) & (legend[:, :, 1] > 200) & (legend[:, :, 2] < 90) & bar
+check(yellow.sum() > 10, "the legend is not Viridis")
+check(count_note(legend) == 0, "the field is out of date at once")
+for source in GetSources().values():
+    Hide(source, view)  # as ParaView does when the field is shown
+Render(view)
+check(count_note(take_picture(baked_view, "hidden.png")) == 0, "hiding sources outdates the field")
+table.ApplyPreset("Cool to Warm", True)
+Render(view)
+changed = take_picture(baked_view, "changed.png")
+check(count_note(changed) > 40, "no note says that the field is out of date")
+top = SIZE // 6
+check(psnr(changed[top:], legend[top:]) > 60, "the field or its legend follows the colour map")
+table.ApplyPreset("Viridis (matplotlib)", True)
+check(psnr(take_picture(baked_view, "back.png"), legend) > 60, "the note stays")
+
+for unused in (field, active, unnamed):
+    Delete(unused)
+for unused in (other, own):
+    Delete(unused)
+
+# A state has what was captured, although the view shows nothing of it any more. Without that, one
+# sentence says what is missing.
+SaveState("scene.pvsm")
+ResetSession()
+LoadState("scene.pvsm")
+again = next(view for view in GetViews() if view.Background[2] == 0.01)
+quality = psnr(take_picture(again, "reloaded.png"), legend)
+check(quality > 60, f"the field of the state differs: {quality} dB")
+ResetSession()
+with open("scene.pvsm") as file:
+    state = re.sub(r'(name="CapturedScene"[^>]*>\s*<Element index="0" value=")[^"]*', r"\1", file.read())
+with open("without.pvsm", "w") as file:
+    file.write(state)
+with Errors() as errors:
+    LoadState("without.pvsm")
+    for view in GetViews():
+        Render(view)
+check("shows no surface to capture" in errors.messages[0], f"errors {errors.messages}")
+for message in errors.messages:
+    check("vtkInformation" not in message and message.count("\n") < 5, message)

@@ -4,6 +4,7 @@
 import math
 
 import numpy
+import paraview.simple
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -30,6 +31,14 @@ def make_view():
     """A black render view without decorations."""
     return CreateRenderView(ViewSize=[SIZE, SIZE], OrientationAxesVisibility=0,
                             UseColorPaletteForBackground=0, Background=[0, 0, 0])
+
+
+def Show(*args, **settings):
+    """Shows a source. Light fields are shown without legends, since pictures are compared."""
+    display = paraview.simple.Show(*args, **settings)
+    if "ShowLegend" in display.ListProperties():
+        display.ShowLegend = 0
+    return display
 
 
 def look(view):
@@ -82,14 +91,17 @@ def check(condition, message):
 
 
 class Errors:
-    """Collects error messages instead of printing them, which would fail the test."""
+    """Collects messages of one kind instead of printing them, which would fail the test."""
+
+    def __init__(self, event="ErrorEvent"):
+        self.event = event
 
     def __enter__(self):
         self.messages = []
         self.window = vtkOutputWindow.GetInstance()
         self.old = self.window.GetDisplayMode()
         self.window.SetDisplayModeToNever()
-        self.tag = self.window.AddObserver("ErrorEvent", self._collect)
+        self.tag = self.window.AddObserver(self.event, self._collect)
         return self
 
     def _collect(self, window, event, text=""):

@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Baking a scene in one call."""
+
+import os
+import pathlib
+import shutil
+
+from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+from . import vtkCSLF
+from .fields import make_actor
+from .messages import Error, Messages, Progress, get_text
+from .notebook import show
+from .scenes import connect, missing_file
+
+QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
+COLORS = ("lit", "exact")  # likewise
+VIDEOS = (".mp4", ".mkv")
+
+
+class LightField:
+    """A light field that ``bake`` has made. A notebook shows it if it is the last expression of a
+    cell.
+
+    ``file_name`` is the name of its file, or None if it is only in memory; then ``image`` is its
+    ``vtkImageData``. ``sampler`` is the ``vtkCSLFSampler`` that made it.
+    """
+
+    def __init__(self, file_name, sampler):
+        self.file_name = file_name
+        self.sampler = sampler
+        self._actor = None
+
+    def __repr__(self):
+        return f"<cslf.LightField {self.file_name or 'in memory'}>"
+
+    def _repr_png_(self):
+        return self.show().png
+
+    @property
+    def image(self):
+        """The samples as image data if the field is in memory, else None."""
+        return None if self.file_name else self.sampler.GetOutput()
+
+    @property
+    def actor(self):
+        """A ``vtkActor`` that draws the field."""
+        if self._actor is None:
+            self._actor = make_actor(self.file_name or self.sampler)
+        return self._actor
+
+    def show(self, **arguments):
+        """Draws a view of the field and returns it as a Picture; arguments are as in ``show``."""
+        return show(self.file_name or self.sampler, **arguments)
+
+    def save(self, file_name):
+        """Writes the field to another file, which replaces one of that name: a video if the field
+        is one, and otherwise a video (``.mp4`` or ``.mkv``) or image data (``.vti``)."""
+        name = os.fspath(file_name)
+        kind = pathlib.PurePath(name).suffix.lower()
+        if self.file_name:
+            if kind != pathlib.PurePath(self.file_name).suffix.lower():
+                raise ValueError(f"The field is in {self.file_name}: its copy must have the same "
+                                 "extension.")
+            shutil.copyfile(self.file_name, name)
+        elif kind in VIDEOS:
+            write(self.sampler, name, None, None)
+        elif kind == ".vti":
+            check_folder(name)
+            writer = vtkXMLImageDataWriter()
+            writer.SetInputConnection(self.sampler.GetOutputPort())
+            writer.SetFileName(name)
+            with Messages(writer) as messages:
+                messages.require(writer.Write() and not writer.GetErrorCode(),
+                                 f"{name} was not written.")
+        else:
+            raise ValueError(f"{name} is none of {', '.join((*VIDEOS, '.vti'))}.")
+
+
+def check_folder(name):
+    """Raises FileNotFoundError if the folder of a new file does not exist."""
+    folder = os.path.dirname(name) or "."
+    if not os.path.isdir(folder):
+        raise missing_file(folder)
+
+
+def set_parameters(target, parameters):
+    """Sets those parameters that are not None. Raises ValueError for values outside of ranges."""
+    problems = []
+
+    def catch(_target, _event, message):
+        problems.append(get_text(message))
+
+    catch.CallDataType = "string0"
+    tag = target.AddObserver(vtkCommand.WarningEvent, catch)
+    try:
+        for name, value in parameters.items():
+            if value is not None:
+                getattr(target, f"Set{name}")(value)
+    finally:
+        target.RemoveObserver(tag)
+    if problems:
+        raise ValueError(problems[0])
+
+
+def find_name(value, names, parameter):
+    """The index of a name. Raises ValueError if it is unknown."""
+    if value not in names:
+        raise ValueError(f"{parameter} must be one of {', '.join(names)}; it is {value!r}.")
+    return names.index(value)
+
+
+def write(sampler, name, crf, progress):
+    """Writes what a sampler makes to a video."""
+    if not hasattr(vtkCSLF, "vtkCSLFEncoder"):
+        raise Error("This build of CSLF has no video encoder: bake without a file name, and save "
+                    "the field as .vti.")
+    if pathlib.PurePath(name).suffix.lower() not in VIDEOS:
+        raise ValueError(f"The file must be one of {', '.join(VIDEOS)}; it is {name}.")
+    check_folder(name)
+    encoder = vtkCSLF.vtkCSLFEncoder()
+    encoder.SetInputConnection(0, sampler.GetOutputPort(0))
+    encoder.SetInputConnection(1, sampler.GetOutputPort(1))
+    encoder.SetFileName(name)
+    set_parameters(encoder.GetRateControl(), {"CRF": crf})
+    with Messages(encoder) as messages:
+        with Progress(encoder, progress, "Writing"):
+            is_written = encoder.Write()
+        messages.require(is_written, f"{name} was not written.")
+
+
+def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
+         samples=None, noise_target=None, crf=None, sampler=None, progress=None):
+    """Bakes a scene as a light field and returns it as a ``LightField``.
+
+    ``scene`` is a ``vtkRenderer``, a ``vtkRenderWindow``, a plotter of PyVista, a data set of VTK,
+    composite data, an algorithm or its output port, the name of a file (``.vtp``, ``.vtu``,
+    ``.vti``, ``.vtm`` and VTK's other data sets, ``.pvd``, ``.vtk``, ``.ply``, ``.stl``, ``.obj``,
+    ``.gltf``, ``.glb``), or the name of a scene that needs no file. Data sets that are not
+    polygonal are baked as their surfaces. With ``file_name`` (``.mp4`` or ``.mkv``) the field is
+    written to that video slab by slab; without, it is kept in memory.
+
+    ``quality`` is ``"preview"``, ``"good"`` (default) or ``"best"``; ``colors`` is ``"lit"``
+    (default) or ``"exact"``: unlit, as a legend tells them. ``viewpoints`` is the number of
+    viewpoints along each edge of a cube face (M), ``resolution`` that of texels along each edge of
+    a viewpoint's image (N), ``samples`` the rays for each texel, ``noise_target`` the noise at
+    which a texel gets no more of them, and ``crf`` the video's constant rate factor, 0 to 51: less
+    is better and larger. What is None keeps the default of ``vtkCSLFSampler`` or
+    ``vtkCSLFEncoder``. ``sampler`` is a ``vtkCSLFSampler`` with further settings.
+
+    ``progress`` is whether to draw a progress bar, by default in terminals and notebooks, or a
+    function that gets the phase and the share that is done, from 0 to 1. Ctrl-C raises
+    ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
+
+    Raises ``FileNotFoundError`` if the scene's file or the video's folder does not exist,
+    ``ValueError`` for values out of range and unknown names, ``TypeError`` if ``scene`` is none,
+    ``MemoryError`` if memory does not suffice, and ``cslf.Error``, a ``RuntimeError``, for all
+    other reasons.
+    """
+    if not hasattr(vtkCSLF, "vtkCSLFSampler"):
+        raise Error("This build of CSLF has no sampler.")
+    sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
+    quality = None if quality is None else find_name(quality, QUALITIES, "quality")
+    colors = None if colors is None else find_name(colors, COLORS, "colors")
+    set_parameters(sampler, {"Quality": quality, "Colors": colors, "Viewpoints": viewpoints,
+                             "Resolution": resolution, "Samples": samples,
+                             "NoiseTarget": noise_target})
+    if file_name is None and crf is not None:
+        raise ValueError("crf is for videos, and there is no file name.")
+    connect(scene, sampler)
+    if file_name is not None:
+        name = os.fspath(file_name)
+        write(sampler, name, crf, progress)
+        return LightField(name, sampler)
+    with Messages(sampler) as messages:
+        with Progress(sampler, progress, "Sampling"):
+            sampler.UpdateWholeExtent()
+        messages.require(sampler.GetOutput().GetNumberOfPoints() > 0, "There is no light field.")
+    return LightField(None, sampler)

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""cslf.bake takes scenes of all kinds, reports progress, and raises exceptions with the reason."""
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+
+import cslf
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
+
+SIZE = {"viewpoints": 2, "resolution": 16, "quality": "preview"}
+HAS_ENCODER = hasattr(cslf, "vtkCSLFEncoder")
+
+
+def make_sphere():
+    source = vtkSphereSource()
+    source.Update()
+    return source
+
+
+def make_renderer():
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(make_sphere().GetOutput())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    return renderer
+
+
+class TestCSLFBake(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder.name)
+
+    def check(self, scene, edges):
+        """Bakes a scene and checks its cube."""
+        field = cslf.bake(scene, **SIZE)
+        self.assertEqual(field.image.GetDimensions(), (5 * 16, 16, 6 * 4))
+        bounds = field.actor.GetBounds()
+        for axis in range(3):
+            self.assertAlmostEqual(bounds[2 * axis + 1] - bounds[2 * axis], edges, places=2)
+        return field
+
+    def test_scenes(self):
+        source = make_sphere()
+        self.check(source, 1.1)
+        self.check(source.GetOutputPort(), 1.1)
+        self.check(source.GetOutput(), 1.1)
+        renderer = make_renderer()
+        self.check(renderer, 1.1)
+        window = vtkRenderWindow()
+        window.AddRenderer(renderer)
+        window.AddRenderer(vtkRenderer())  # shows nothing
+        self.check(window, 1.1)
+        self.check("cornell-box", 2.2)
+
+    def test_colors(self):
+        """Exact colours are those of the data, without light."""
+        for colors, expected in (("lit", 0), ("exact", 1)):
+            field = cslf.bake(make_sphere(), colors=colors, **SIZE)
+            self.assertEqual(field.sampler.GetColors(), expected)
+
+    def test_grids(self):
+        """Their surfaces are baked."""
+        grid = vtkRTAnalyticSource()
+        self.check(grid, 22.0)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, grid.GetOutput())
+        blocks.SetBlock(1, make_sphere().GetOutput())
+        self.check(blocks, 22.0)
+
+    def test_files(self):
+        for writer, name in ((vtkXMLPolyDataWriter(), "sphere.vtp"),
+                             (vtkSTLWriter(), "sphere.stl")):
+            writer.SetInputData(make_sphere().GetOutput())
+            writer.SetFileName(name)
+            writer.Write()
+            self.check(name, 1.1)
+        with open("sphere.pvd", "w", encoding="utf-8") as file:
+            file.write('<VTKFile type="Collection"><Collection>'
+                       '<DataSet timestep="0" file="sphere.vtp"/>'
+                       '<DataSet timestep="1" file="later.vtp"/></Collection></VTKFile>')
+        self.check("sphere.pvd", 1.1)
+
+    @unittest.skipUnless(HAS_ENCODER, "without the encoder")
+    def test_video(self):
+        field = cslf.bake(make_sphere(), "sphere.mp4", **SIZE)
+        self.assertEqual((field.file_name, field.image), ("sphere.mp4", None))
+        field.save("copy.mp4")
+        shown = field.show(size=(60, 60)).png
+        self.assertEqual(field._repr_png_()[:8], shown[:8])
+        self.assertEqual(cslf.show("copy.mp4", size=(60, 60)).png, shown)
+        memory = cslf.bake(make_sphere(), **SIZE)
+        memory.save("memory.mp4")
+        with open("sphere.mp4", "rb") as first, open("memory.mp4", "rb") as second:
+            self.assertEqual(first.read(), second.read())
+
+    def test_image_data(self):
+        field = cslf.bake(make_sphere(), **SIZE)
+        field.save("sphere.vti")
+        self.assertEqual(cslf.show("sphere.vti", lookup="Depth").png,
+                         cslf.show(field.image, lookup="Depth").png)
+
+    @unittest.skipUnless(HAS_ENCODER, "without the encoder")
+    def test_used_again(self):
+        """What a sampler has made is written, not sampled again, at the quality of the sampler."""
+        sampler = cslf.vtkCSLFSampler()
+        sampler.SetInputData(make_sphere().GetOutput())
+        sampler.SetViewpoints(5)
+        sampler.SetResolution(16)
+        sampler.SetQualityToPreview()
+        sampler.Update()
+        runs = []
+        sampler.AddObserver("StartEvent", lambda *_: runs.append(True))
+        encoder = cslf.vtkCSLFEncoder()
+        encoder.SetInputConnection(0, sampler.GetOutputPort(0))
+        encoder.SetInputConnection(1, sampler.GetOutputPort(1))
+        self.assertEqual(encoder.GetUsedPreset(), "ultrafast")
+        encoder.SetFileName("used.mp4")
+        self.assertEqual(encoder.Write(), 1)
+        self.assertEqual(runs, [])
+        sampler.SetSeed(1)  # the samples are out of date
+        encoder.SetFileName("new.mp4")
+        self.assertEqual(encoder.Write(), 1)
+        self.assertGreater(len(runs), 0)
+        encoder.SetPreset("fast")
+        self.assertEqual(encoder.GetUsedPreset(), "fast")
+        sampler.SetQualityToGood()
+        encoder.SetPreset("auto")
+        self.assertEqual(encoder.GetUsedPreset(), "slow")
+
+    def test_progress(self):
+        calls = []
+        cslf.bake(make_sphere(), progress=lambda *call: calls.append(call), **SIZE)
+        shares = [share for _, share in calls]
+        self.assertEqual((shares, shares[-1]), (sorted(shares), 1.0))
+        self.assertTrue(all(isinstance(phase, str) and phase for phase, _ in calls))
+        # Tests are neither terminals nor notebooks.
+        text = io.StringIO()
+        with contextlib.redirect_stderr(text):
+            cslf.bake(make_sphere(), **SIZE)
+            self.assertEqual(text.getvalue(), "")
+            cslf.bake(make_sphere(), progress=True, **SIZE)
+        self.assertIn("%", text.getvalue())
+
+    def test_progress_fails(self):
+        def fail(_phase, _share):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            cslf.bake(make_sphere(), progress=fail, **SIZE)
+
+    def test_invalid(self):
+        sphere = make_sphere()
+        with open("bad.vtp", "w", encoding="utf-8") as file:
+            file.write("no data")
+        cases = [
+            (FileNotFoundError, "missing.vtp", lambda: cslf.bake("missing.vtp")),
+            (cslf.Error, "Cannot read bad.vtp", lambda: cslf.bake("bad.vtp")),
+            (ValueError, "is not a scene: supported are .glb", lambda: cslf.bake(__file__)),
+            (ValueError, "preview, good, best", lambda: cslf.bake(sphere, quality="fine")),
+            (ValueError, "lit, exact", lambda: cslf.bake(sphere, colors="pale")),
+            (ValueError, "Viewpoints must be from 2 to 1024",
+             lambda: cslf.bake(sphere, viewpoints=1)),
+            (ValueError, "crf is for videos", lambda: cslf.bake(sphere, crf=20.0)),
+            (ValueError, "0 renderers", lambda: cslf.bake(vtkRenderWindow())),
+            (ValueError, "is a light field", lambda: cslf.bake(cslf.bake(sphere, **SIZE).image)),
+            (TypeError, "vtkTable", lambda: cslf.bake(vtkTable())),
+            (TypeError, "not a int", lambda: cslf.bake(3)),
+            (cslf.Error, "no triangles", lambda: cslf.bake(vtkMultiBlockDataSet(), **SIZE)),
+        ]
+        if HAS_ENCODER:
+            cases += [
+                (FileNotFoundError, "nowhere", lambda: cslf.bake(sphere, "nowhere/a.mp4", **SIZE)),
+                (ValueError, ".mp4, .mkv", lambda: cslf.bake(sphere, "a.avi", **SIZE)),
+                (ValueError, "CRF must be from 0 to 51",
+                 lambda: cslf.bake(sphere, "a.mp4", crf=99.0, **SIZE)),
+            ]
+        for kind, text, call in cases:
+            with self.subTest(text=text), self.assertRaisesRegex(kind, text):
+                call()
+        self.assertEqual(os.listdir(), ["bad.vtp"])
+
+    def test_warnings(self):
+        """What classes warn of is a warning of Python, at the user's line."""
+        source = vtkSphereSource()
+        source.SetThetaResolution(50)
+        source.SetPhiResolution(50)
+        sampler = cslf.vtkCSLFSampler()
+        sampler.SetGeometryTriangles(4)
+        with self.assertWarnsRegex(UserWarning, "increase GeometryTriangles") as caught:
+            cslf.bake(source, sampler=sampler, **SIZE)
+        self.assertEqual(caught.filename, __file__)
+
+
+if __name__ == "__main__":
+    unittest.main()
