@@ -67,7 +67,13 @@ void Approach(vtkStaticPointLocator* locator, const std::vector<glm::vec3>& poin
   for (vtkIdType k = 0; k < near->GetNumberOfIds(); ++k)
   {
     const vtkIdType id = near->GetId(k);
-    squares[id] = std::min(squares[id], FindSquare(glm::dvec3(points[id]), triangle));
+    const glm::dvec3 point(points[id]);
+    // Most triangles are farther than the nearest so far, as their boxes show.
+    const glm::dvec3 toBox = point - glm::clamp(point, low, high);
+    if (glm::dot(toBox, toBox) <= std::min(squares[id], most * most))
+    {
+      squares[id] = std::min(squares[id], FindSquare(point, triangle));
+    }
   }
 }
 }
