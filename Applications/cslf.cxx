@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The cslf command-line tool.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfParallel.h"
 #include "Options/cslfNumberChecks.h"
@@ -96,11 +97,13 @@ void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
   RequireFiniteNumbers(*app);
   if (commands.empty())
   {
-    app->add_flag("--json", isJSON, "print one JSON object instead of text");
+    app->add_flag("--json", isJSON, "print one JSON object instead of text")->group(GeneralGroup);
     app->add_option("--threads", threads, "number of threads (default: number of cores)")
       ->default_str("") // not 0, which stands for it
-      ->check(Positive());
+      ->check(Positive())
+      ->group(GeneralGroup);
   }
+  app->get_help_ptr()->group(GeneralGroup);
 }
 }
 
@@ -108,19 +111,22 @@ int main(int argc, char* argv[])
 {
   const ParallelRun parallel(&argc, &argv);
   CLI::App app(
-    "Cube surface light fields: sample a scene, encode it as video, view it from anywhere.",
-    "cslf");
-  app.set_version_flag("--version", CSLF_VERSION);
+    "Cube surface light fields: sample a scene, encode it as video, view it from anywhere", "cslf");
+  app.formatter(MakeHelpFormatter());
+  app.set_help_flag("-h,--help", "print this help");
+  app.set_version_flag("--version", CSLF_VERSION, "print the version")->group(GeneralGroup);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0: success. 2: a field's file lacks viewpoints, and --allow-missing was "
-             "not given. 1: any other error.");
   Command chosen;
-  for (const auto add :
-    { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace, AddCompare, AddInfo,
-      AddView, AddEvaluate, AddEvaluateTexels, AddBenchmark, AddSheet, AddExport, AddScenes })
+  for (const auto add : { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace,
+         AddCompare, AddInfo, AddView, AddEvaluate, AddEvaluateTexels, AddBenchmark, AddSheet,
+         AddExport, AddScenes, AddCompletion })
   {
     add(app, chosen);
   }
+  app.footer(MakeFooter({ "cslf sample cornell-box -o box.mp4", "cslf view box.mp4" },
+    "\"cslf COMMAND --help\" explains a command.\n\nExit codes: 0: success. 2: a field's file "
+    "lacks "
+    "viewpoints, and --allow-missing was not given. 1: any other error."));
   bool isJSON = false;
   int threads = 0;
   AddCommonOptions(&app, isJSON, threads);

@@ -45,6 +45,7 @@ void AddRender(CLI::App& app, Command& chosen);
 void AddResample(CLI::App& app, Command& chosen);
 void AddTrace(CLI::App& app, Command& chosen);
 void AddCompare(CLI::App& app, Command& chosen);
+void AddCompletion(CLI::App& app, Command& chosen);
 void AddInfo(CLI::App& app, Command& chosen);
 void AddView(CLI::App& app, Command& chosen);
 void AddEvaluate(CLI::App& app, Command& chosen);

@@ -288,6 +288,16 @@ public:
   vtkGetMacro(ActualGeometryLoss, double);
   ///@}
 
+  ///@{
+  /**
+   * How many groups of viewpoints the file has, and how many of them an interrupted run had left.
+   * Known on rank 0 from the first ProgressEvent of Write that follows the first viewpoint; 0
+   * before.
+   */
+  vtkGetMacro(NumberOfGroups, int);
+  vtkGetMacro(ResumedGroups, int);
+  ///@}
+
   /**
    * Writes the file when the pipeline requests data.
    */
@@ -335,6 +345,8 @@ private:
   double ActualNovelViewPSNR = 0.0;
   bool ActualDepthFromGeometry = false;
   double ActualGeometryLoss = 0.0;
+  int NumberOfGroups = 0;
+  int ResumedGroups = 0;
 };
 
 #endif

@@ -22,6 +22,7 @@ for name in $("$cslf" scenes | cut -d ' ' -f 1); do
     *) camera=() ;;
   esac
   pictures+=("$folder/$name.png")
-  "$cslf" trace "$name" -o "$folder/$name.png" --size 240 240 --spp 64 --view-angle 36 "${camera[@]}"
+  "$cslf" trace "$name" -o "$folder/$name.png" --background black \
+    --size 240 240 --spp 64 --view-angle 36 "${camera[@]}"
 done
 "$cslf" sheet "${pictures[@]}" -o "${1:-$source/Documentation/images/scenes.png}" --columns 3

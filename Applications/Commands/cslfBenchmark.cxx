@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark: measures the cost of parts of CSLF, with one command per part.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "cslfCommands.h"
 
@@ -12,6 +13,7 @@ namespace cslf::tool
 void AddBenchmark(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("benchmark", "Measure quality and speed");
+  command->footer(MakeFooter({ "cslf benchmark render box.mp4 -o bench" }));
   command->require_subcommand(1);
   AddBenchmarkRender(*command, chosen);
   AddBenchmarkOpening(*command, chosen);

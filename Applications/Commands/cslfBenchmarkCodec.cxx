@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark codec: quality against size, and speed, of a field coded in many ways.
+#include "Console/cslfHelp.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfCodecSweep.h"
 #include "Measurements/cslfRateCurves.h"
@@ -272,30 +273,35 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
     "codec", "Measure quality against size, and speed, of several codec settings");
-  command->footer(
+  command->footer(MakeFooter({ "cslf benchmark codec box.vti -o bench --crfs 18,22,26,30" },
     "Codes the field with all combinations of the lists and writes codec.md, codec.json and plots "
     "into the folder. PSNR is measured for red, green and blue over all texels, against the given "
     "field; with --scene also for novel views with every lookup, as in cslf evaluate. The ratio "
     "compares 24 bits per texel with all tracks. Speeds are the medians of --repeats runs, in "
     "millions of texels per second, for all tracks together, including file access. The bytes of "
     "each coder at equal PSNR are compared with those of the first (Bjontegaard delta rate). Depth "
-    "and coverage use the encoder's default rate factors.");
+    "and coverage use the encoder's default rate factors."));
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
   command->option_defaults()->always_capture_default();
   command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,24,28")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0));
-  command->add_option("--codecs", options->Codecs, "codecs, for example hevc,av1")->delimiter(',');
+    ->type_name("LIST")
+    ->check(Between(0.0, 51.0));
+  command->add_option("--codecs", options->Codecs, "codecs, for example hevc,av1")
+    ->delimiter(',')
+    ->type_name("LIST");
   command->add_option("--presets", options->Presets, "presets, for example fast,medium")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->type_name("LIST");
   command
     ->add_option("--pixel-formats", options->PixelFormats,
       "pixel formats of colour, for example yuv444p,yuv420p")
-    ->delimiter(',');
+    ->delimiter(',')
+    ->type_name("LIST");
   AddOption(*command, cslf::options::GroupLength, options->GroupLength);
   command->add_option("--repeats", options->Repeats, "repetitions for measuring the speed")
-    ->check(CLI::Range(1, 1000));
+    ->check(Between(1, 1000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

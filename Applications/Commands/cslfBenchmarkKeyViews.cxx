@@ -3,12 +3,14 @@
 
 // cslf benchmark key-views: novel views from few coded viewpoints with depth, compared with the
 // paper's way, which uses all viewpoints without depth.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfCodecSweep.h"
 #include "Measurements/cslfRateCurves.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfBenchmarkOptions.h"
+#include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
 
@@ -378,7 +380,7 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
     "key-views", "Compare key views with depth and the paper's method: novel views against size");
-  command->footer(
+  command->footer(MakeFooter({ "cslf benchmark key-views box.vti cornell-box -o bench" },
     "Writes key-views.md, key-views.json and a plot into the folder. The paper's method codes all "
     "viewpoints as colour over black, without coverage and depth, and uses the bilinear lookup. "
     "The other method codes every STEP-th viewpoint with coverage and depth, optionally with fewer "
@@ -386,7 +388,7 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     "the same encoder, preset and rate factors of colour. PSNR is that of novel views, as in cslf "
     "evaluate. Each of the paper's files is compared, at equal PSNR and at equal bytes, with the "
     "best key-view files: those for which no other is both smaller and better. Between these, the "
-    "logarithm of bytes is interpolated linearly in dB.");
+    "logarithm of bytes is interpolated linearly in dB."));
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
   command->option_defaults()->always_capture_default();
@@ -394,22 +396,26 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     ->add_option(
       "--steps", options->Steps, "steps of key views, for example 2,4; each must divide M - 1")
     ->delimiter(',')
-    ->check(CLI::Range(1, 4096));
+    ->type_name("LIST")
+    ->check(Between(1, 4096));
   command
     ->add_option("--divisors", options->Divisors,
       "divisors of the resolution of key views, for example 1,2; each must divide N into at least "
       "16")
     ->delimiter(',')
-    ->check(CLI::Range(1, 16384));
+    ->type_name("LIST")
+    ->check(Between(1, 16384));
   command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,28,36")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0));
+    ->type_name("LIST")
+    ->check(Between(0.0, 51.0));
   command->add_option("--depth-crfs", options->DepthCRFs, "rate factors of the key views' depth")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0));
+    ->type_name("LIST")
+    ->check(Between(0.0, 51.0));
   command
     ->add_option("--coverage-crf", options->CoverageCRF, "rate factor of the key views' coverage")
-    ->check(CLI::Range(0.0, 51.0));
+    ->check(Between(0.0, 51.0));
   command->add_option("--preset", options->Preset, "x265 preset for both methods");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark opening: the time from opening a file to its first picture.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfCameraOptions.h"
+#include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfOffscreenWindow.h"
 #include "Pictures/cslfPictures.h"
 
@@ -216,23 +218,26 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
     "opening", "Measure the time from opening a light field to the first picture");
-  command->footer(
+  command->footer(MakeFooter({ "cslf benchmark opening box.mp4 -o bench --repeats 10" },
     "Writes opening.md, opening.json and the first picture into the folder. Each repetition "
     "creates and clears a new window, opens the file and draws a picture from its coarsest "
     "viewpoints, as vtkCSLFMapper does with Streaming. Times are wall-clock milliseconds and CPU "
     "milliseconds; the latter include all threads, but not other programs. The first repetition is "
     "listed separately, because drivers and the system cache data for the others. The driver's "
     "shader cache on disk is used; to avoid that with Mesa, set MESA_SHADER_CACHE_DIR to an empty "
-    "folder.");
+    "folder."));
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->type_name(FilePlaceholder)
     ->required();
-  command->add_option("-o,--output", options->Folder, "folder for the results")->required();
+  command->add_option("-o,--output", options->Folder, "folder for the results")
+    ->type_name(FolderPlaceholder)
+    ->required();
   command->option_defaults()->always_capture_default();
   AddLookup(*command, options->Lookup, "the lookup");
   command->add_option("--size", options->Size, "width and height of a picture, in pixels")
-    ->check(CLI::Range(1, 8192));
-  command->add_option("--repeats", options->Repeats, "repetitions")->check(CLI::Range(1, 10000));
+    ->check(Between(1, 8192));
+  command->add_option("--repeats", options->Repeats, "repetitions")->check(Between(1, 10000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

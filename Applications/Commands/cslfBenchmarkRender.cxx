@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark render: the speed, memory and quality of each lookup.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfMeshRenderer.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfCameraOptions.h"
+#include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfCameraPath.h"
 #include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
@@ -346,7 +348,7 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
     "render", "Measure frame rate, memory and quality of every lookup along an orbit");
-  command->footer(
+  command->footer(MakeFooter({ "cslf benchmark render box.mp4 cornell-box -o bench" },
     "Writes render.md, render.json and plots into the folder. The camera moves once around the "
     "cube at a distance of two cube edges from the centre, or, if the scene is the Cornell box, "
     "back and forth within 35 degrees of its opening. Frame rates are those of the median frame, "
@@ -358,18 +360,19 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
     "the complete picture without any intermediate picture. With the scene, PSNR and SSIM of novel "
     "views are measured as in cslf evaluate. With --mesh, VTK draws that mesh alternately with "
     "each frame, on the same path around its own cube; the ratio is the field's frame rate divided "
-    "by that of the mesh.");
+    "by that of the mesh."));
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
   command->add_option("--frames", options->Frames, "number of pictures along the orbit")
-    ->check(CLI::Range(1, 1000000))
+    ->check(Between(1, 1000000))
     ->capture_default_str();
   AddLookups(*command, options->Lookups);
   command
     ->add_option("--update-rate", options->Rate, "frames per second requested while the view moves")
-    ->check(CLI::Range(1.5, 1000.0))
+    ->check(Between(1.5, 1000.0))
     ->capture_default_str();
-  command->add_option("--mesh", options->Mesh, "a mesh to compare with: a scene file");
+  command->add_option("--mesh", options->Mesh, "a mesh to compare with: a scene file")
+    ->type_name(FilePlaceholder);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

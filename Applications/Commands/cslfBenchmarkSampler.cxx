@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark sampler: the gain of radiance caching over path tracing at equal quality.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Options/cslfIntegratorOptions.h"
@@ -257,12 +258,13 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command =
     benchmark.add_subcommand("sampler", "Compare an integrator with path tracing at equal quality");
-  command->footer("Samples some viewpoints of a field with the options under \"Light transport\", "
-                  "by default with radiance caching, and by path tracing with several numbers of "
-                  "samples. PSNR is that of random texels, as in cslf evaluate-texels. The time "
-                  "for the whole field is that of the cache plus the rendering time extrapolated "
-                  "from the measured viewpoints. The time that path tracing needs for the quality "
-                  "of the other integrator is interpolated or extrapolated from its measurements.");
+  command->footer(MakeFooter({ "cslf benchmark sampler cornell-box -M 9 -N 128" },
+    "Samples some viewpoints of a field with the options under \"Light transport\", "
+    "by default with radiance caching, and by path tracing with several numbers of "
+    "samples. PSNR is that of random texels, as in cslf evaluate-texels. The time "
+    "for the whole field is that of the cache plus the rendering time extrapolated "
+    "from the measured viewpoints. The time that path tracing needs for the quality "
+    "of the other integrator is interpolated or extrapolated from its measurements."));
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   options->Integrator.AddTo(*command);
@@ -273,16 +275,17 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
     ->add_option("--path-spp", options->PathSamples,
       "numbers of samples per texel for path tracing, at least two, for example 16,64")
     ->delimiter(',')
+    ->type_name("LIST")
     ->expected(2, 16)
-    ->check(CLI::Range(1, 1 << 20));
+    ->check(Between(1, 1 << 20));
   command->add_option("--views", options->Views, "viewpoints to measure, spread over the field")
-    ->check(CLI::Range(1, 1000000));
+    ->check(Between(1, 1000000));
   command->add_option("--texels", options->Texels, "texels to measure in all views together")
-    ->check(CLI::Range(1, 100000000));
+    ->check(Between(1, 100000000));
   command
     ->add_option("--reference-spp", options->ReferenceSamples,
       "samples per texel of the reference; rounded up to a multiple of 32")
-    ->check(CLI::Range(1, 1 << 24));
+    ->check(Between(1, 1 << 24));
   command->add_option("--reference-seed", options->ReferenceSeed,
     "random seed of viewpoints, texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

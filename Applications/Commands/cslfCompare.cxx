@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf compare: measures the difference between two pictures or light fields.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
@@ -34,8 +35,7 @@ struct Options
 bool IsPicture(const std::string& fileName)
 {
   std::error_code failure;
-  return ToPath(fileName).extension() == ".png" &&
-    !std::filesystem::is_directory(ToPath(fileName), failure);
+  return IsPictureName(fileName) && !std::filesystem::is_directory(ToPath(fileName), failure);
 }
 
 Result ComparePictures(const Options& options)
@@ -85,12 +85,17 @@ void AddCompare(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
     app.add_subcommand("compare", "Measure the difference between two pictures or light fields");
-  command->footer("Pictures: PSNR (at most 60 dB) of red, green and blue without alpha, and SSIM "
-                  "of luma. Light fields: PSNR (at most 100 dB) of each channel; for float colours "
-                  "also as displayed at 1/16, 1/4, 1, 4 and 16 times the exposure.");
+  command->footer(MakeFooter({ "cslf compare render.png trace.png" },
+    "Pictures: PSNR (at most 60 dB) of red, green and blue without alpha, and SSIM "
+    "of luma. Light fields: PSNR (at most 100 dB) of each channel; for float colours "
+    "also as displayed at 1/16, 1/4, 1, 4 and 16 times the exposure."));
   const auto options = std::make_shared<Options>();
-  command->add_option("a", options->First, "a .png picture or a light field")->required();
-  command->add_option("b", options->Second, "a picture or light field to compare with")->required();
+  command->add_option("a", options->First, "a picture (.png, .jpg or .webp) or a light field")
+    ->type_name(FilePlaceholder)
+    ->required();
+  command->add_option("b", options->Second, "a picture or light field to compare with")
+    ->type_name(FilePlaceholder)
+    ->required();
   AddAllowMissing(*command, options->AllowMissing);
   command->callback(
     [options, &chosen]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf encode, cslf decode and cslf resample: write a light field to another file.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
@@ -120,6 +121,12 @@ Result Convert(const Options& options, bool toVideo)
 
 Result Resample(const Options& options)
 {
+  if (options.ResolutionDivisor == 1 && options.ViewpointStride == 1 &&
+    options.GeometryTriangles == 0)
+  {
+    throw Failure("Nothing would change: specify --resolution-divisor, --viewpoint-stride or "
+                  "--geometry-triangles. To code a field anew, use cslf encode.");
+  }
   FieldWriter writer(options.Output, options.Coding);
   RequireOther(options.Input.FileName, options.Output);
   FieldFile file = OpenField(options.Input);
@@ -147,12 +154,15 @@ void AddGeometry(CLI::App& command, Options& options)
 void Add(CLI::App& app, Command& chosen, const char* name, const char* help, bool toVideo)
 {
   CLI::App* command = app.add_subcommand(name, help);
+  command->footer(MakeFooter({ toVideo ? "cslf encode box.vti -o box.mp4 --target-size 5MB"
+                                       : "cslf decode box.mp4 -o cube-maps" }));
   const auto options = std::make_shared<Options>();
   options->Input.AddTo(*command, "input");
   command
     ->add_option("-o,--output", options->Output,
       toVideo ? "the output: .mp4 or .mkv"
               : "the output: .vti or a folder of cube maps; with --part any file")
+    ->type_name(FilePlaceholder)
     ->required();
   if (toVideo)
   {
@@ -191,11 +201,14 @@ void AddResample(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
     app.add_subcommand("resample", "Make a coarser light field with fewer texels or viewpoints");
+  command->footer(MakeFooter(
+    { "cslf resample box.mp4 -o small.mp4 --resolution-divisor 2 --viewpoint-stride 2" }));
   const auto options = std::make_shared<Options>();
   options->Input.AddTo(*command, "input");
   command
     ->add_option(
       "-o,--output", options->Output, std::string("the coarser light field: ") + FieldFormats)
+    ->type_name(FilePlaceholder)
     ->required();
   AddOption(*command, cslf::options::ResolutionDivisor, options->ResolutionDivisor);
   AddOption(*command, cslf::options::ViewpointStride, options->ViewpointStride);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf evaluate: compares novel views of a light field with path-traced ones.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
@@ -309,7 +310,8 @@ void AddEvaluate(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
     "evaluate", "Measure novel views of a light field with every lookup against path-traced views");
-  command->footer(
+  command->footer(MakeFooter(
+    { "cslf evaluate box.mp4 cornell-box --views 3 --contact-sheet sheet.png" },
     "Cameras are two cube edges from the centre, with a view angle of 40 degrees, and for the "
     "Cornell box within 35 degrees of its opening. PSNR is measured for red, green and blue over "
     "black, in the pixels whose ray meets the cube, and averaged over the views in dB, each at "
@@ -319,7 +321,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
     "sampled with. With --path, the views are those along a camera path that begins two edges in "
     "front of the cube. Each view then has its own row, and the changes from view to view are "
     "measured as well: their PSNR is that of the difference between the errors of a view and of "
-    "the previous one, which distinguishes flicker from constant errors.");
+    "the previous one, which distinguishes flicker from constant errors."));
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
@@ -329,9 +331,14 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   options->Tone.AddTo(*command);
   AddLookups(*command, options->Lookups);
   AddPixelSamples(*command, options->PixelSamples);
-  command->add_option("-o,--output", options->OutputFolder, "folder for the pictures of the views");
-  command->add_option("--contact-sheet", options->ContactSheet, "a .png file with all pictures");
-  command->add_option("--title", options->Title, "name of the scene on the contact sheet");
+  command->add_option("-o,--output", options->OutputFolder, "folder for the pictures of the views")
+    ->type_name(FolderPlaceholder);
+  command
+    ->add_option(
+      "--contact-sheet", options->ContactSheet, "a file with all pictures: .png, .jpg or .webp")
+    ->type_name(FilePlaceholder);
+  command->add_option("--title", options->Title, "name of the scene on the contact sheet")
+    ->type_name("TEXT");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf evaluate-texels: compares a light field's texels with path-traced ones.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Options/cslfNumberChecks.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
@@ -74,23 +76,23 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
     "evaluate-texels", "Measure texels of a light field against path-traced texels");
-  command->footer(
+  command->footer(MakeFooter({ "cslf evaluate-texels box.mp4 cornell-box" },
     "Prints the PSNR (at most 60 dB) of 8-bit red, green and blue over black, for float fields "
     "also at 1/16, 1/4, 4 and 16 times the exposure. The texels are chosen at random, evenly over "
     "all viewpoints, and path-traced in two halves with different random numbers. The noise floor "
     "is the PSNR of one half against the other plus 6.02 dB, because their mean has a quarter of "
     "the variance of their difference. Specify the scene, light and material that the field was "
-    "sampled with.");
+    "sampled with."));
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
   command->option_defaults()->always_capture_default();
   command->add_option("--texels", options->Texels, "texels to measure, or all if there are fewer")
-    ->check(CLI::Range(1, 100000000));
+    ->check(Between(1, 100000000));
   command
     ->add_option("--reference-spp", options->Samples,
       "samples per texel of the reference, in both halves together; rounded up to a multiple of 32")
-    ->check(CLI::Range(1, 1 << 24));
+    ->check(Between(1, 1 << 24));
   command->add_option("--seed", options->Seed, "random seed of texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf export: the triangles of a scene in one file, for other programs.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Fields/cslfFieldFiles.h"
@@ -125,11 +126,14 @@ void AddExport(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
     app.add_subcommand("export", "Write the triangles of a scene to a file for other programs");
-  command->footer("Materials, lights, points and lines are left out. Normals and texture "
-                  "coordinates are written if all parts of the scene have them.");
+  command->footer(MakeFooter({ "cslf export dragon.ply -o dragon.obj" },
+    "Materials, lights, points and lines are left out. Normals and texture "
+    "coordinates are written if all parts of the scene have them."));
   const auto options = std::make_shared<Options>();
   options->Scene.AddInputsTo(*command);
-  command->add_option("-o,--output", options->Output, "the output: .obj")->required();
+  command->add_option("-o,--output", options->Output, "the output: .obj")
+    ->type_name(FilePlaceholder)
+    ->required();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

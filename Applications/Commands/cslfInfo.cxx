@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf info: describes the contents of a light field's file.
+#include "Console/cslfHelp.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Pipeline/cslfGeometryArrays.h"
@@ -130,15 +131,16 @@ Result Run(const std::string& fileName)
 void AddInfo(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("info", "List the contents of a light field's file");
-  command->footer(
+  command->footer(MakeFooter({ "cslf info box.mp4" },
     "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
     "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
     "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
     "that they lack; null if there is none), parts (additional parts of a video: type, name, "
-    "bytes).");
+    "bytes)."));
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
+    ->type_name(FilePlaceholder)
     ->required();
   command->callback([fileName, &chosen] { chosen = [fileName] { return Run(*fileName); }; });
 }

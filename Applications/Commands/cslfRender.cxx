@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf render: novel views of a light field, single or along a camera path.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfCameraOptions.h"
+#include "Options/cslfNumberChecks.h"
 #include "Options/cslfToneOptions.h"
 #include "Pictures/cslfCameraPath.h"
 #include "Pictures/cslfFrameFiles.h"
@@ -47,6 +49,7 @@ Result RunView(const Options& options)
   RequireDisplay();
   ReadToDraw(file);
   FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
+  renderer.SetBackground(options.Camera.GetBackground().data());
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
   WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
@@ -67,6 +70,7 @@ Result RunPath(const Options& options)
   const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
   ReadToDraw(file);
   FieldRenderer renderer(file, width, height);
+  renderer.SetBackground(options.Camera.GetBackground().data());
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
   const int lookup = FindLookup(name);
@@ -98,12 +102,15 @@ Result Run(const Options& options)
 void AddRender(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
-    "render", "Draw a novel view of a light field, or the views along a camera path, over black");
+    "render", "Draw a novel view of a light field, or the views along a camera path");
+  command->footer(MakeFooter({ "cslf render box.mp4 -o view.png --position 0.6 0.3 4.4",
+    "cslf render box.mp4 --path swing --frames 100 -o swing.mp4" }));
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   command
-    ->add_option(
-      "-o,--output", options->Output, std::string("the output: .png; with --path ") + FrameFormats)
+    ->add_option("-o,--output", options->Output,
+      std::string("the output: ") + PictureFormats + "; with --path " + FrameFormats)
+    ->type_name(FilePlaceholder)
     ->required();
   AddLookup(*command, options->Lookup, "the lookup");
   AddPixelSamples(*command, options->PixelSamples);
@@ -111,7 +118,7 @@ void AddRender(CLI::App& app, Command& chosen)
   options->Camera.AddTo(*command);
   options->Path.AddTo(*command);
   command->add_option("--frame-rate", options->FrameRate, "frames per second of a video")
-    ->check(CLI::Range(1.0, 1000.0))
+    ->check(Between(1.0, 1000.0))
     ->capture_default_str()
     ->group("Camera path");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf sample: samples a scene as a light field.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
@@ -345,11 +346,16 @@ void AddChannels(CLI::App& command, Options& options, const std::string& group)
 
 void AddField(CLI::App& command, Options& options)
 {
-  command.add_option("-o,--output", options.Output,
-    std::string("the light field: ") + FieldFormats +
-      " (default: the name of the scene with .mp4, and a picture, .png, in the current folder)");
-  command.add_option("--picture", options.Picture,
-    "also write a picture of the scene, .png, before the light field is sampled");
+  command
+    .add_option("-o,--output", options.Output,
+      std::string("the light field: ") + FieldFormats +
+        " (default: the name of the scene with .mp4, and a picture, .png, in the current folder)")
+    ->type_name(FilePlaceholder);
+  command
+    .add_option("--picture", options.Picture,
+      std::string("also write a picture of the scene before the light field is sampled: ") +
+        PictureFormats)
+    ->type_name(FilePlaceholder);
   command.add_flag("--overwrite", options.Overwrite,
     "replace existing files that have the default names (those that -o and --picture name are "
     "always replaced)");
@@ -357,16 +363,21 @@ void AddField(CLI::App& command, Options& options)
     "predict the time and file size by a short probe, and write nothing");
   command
     .add_option("--time-budget", options.TimeBudget,
-      "take as many samples per texel as fit into this number of seconds, instead of --spp")
-    ->check(Positive());
+      "take as many samples per texel as fit into this time, instead of --spp: a number of "
+      "seconds, or for example 30min or 2h")
+    ->check(Positive())
+    ->transform(Seconds())
+    ->type_name(TimePlaceholder);
   CLI::Option* psnr = command.add_option("--suggest-for-novel-psnr", options.SuggestForPSNR,
     "with --estimate: suggest -M and -N of the smallest video whose novel views reach this PSNR in "
     "dB");
   psnr->check(Positive());
   command
     .add_option("--suggest-for-size", options.SuggestForSize,
-      "with --estimate: suggest -M and -N of the best video of at most this number of bytes")
+      "with --estimate: suggest -M and -N of the best video of at most this size, for example 20MB")
     ->check(Positive())
+    ->transform(Bytes())
+    ->type_name(SizePlaceholder)
     ->excludes(psnr);
   const std::string field = "Light field";
   AddOption(command, cslf::options::Viewpoints, options.Viewpoints)->group(field);
@@ -389,6 +400,7 @@ void AddField(CLI::App& command, Options& options)
       "edges of the cube, with --center: one length, or three along X, Y, Z")
     ->expected(1, 3)
     ->check(Positive())
+    ->type_name("LENGTH")
     ->group(field);
   AddChannels(command, options, field);
   command.add_flag("--float", options.Float, "store linear float colours instead of sRGB bytes")
@@ -399,6 +411,8 @@ void AddField(CLI::App& command, Options& options)
 void AddSample(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("sample", "Sample a light field from a scene");
+  command->footer(MakeFooter({ "cslf sample dragon.ply --quality preview",
+    "cslf sample cornell-box -M 9 -N 128 -o box.mp4" }));
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   AddField(*command, *options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf scenes: lists the scenes that need no files.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Scenes/cslfSceneFiles.h"
@@ -82,10 +83,10 @@ void AddScenes(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
     "scenes", "List the scenes that sample, trace and other commands know by name");
-  command->footer(
+  command->footer(MakeFooter({ "cslf scenes" },
     "JSON keys: scenes, each with name, description, triangles (of each surface once, however many "
     "instances it has), instances, spheres, tubes (segments of lines) and bounds. To count them, "
-    "--json makes all scenes, which takes some seconds.");
+    "--json makes all scenes, which takes some seconds."));
   command->callback(
     [command, &chosen]
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf sheet: arranges pictures in one picture.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Options/cslfNumberChecks.h"
@@ -51,14 +52,21 @@ Result Run(const Options& options)
 void AddSheet(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("sheet", "Put pictures side by side");
+  command->footer(MakeFooter({ "cslf sheet a.png b.png --columns 2 -o sheet.png" }));
   const auto options = std::make_shared<Options>();
-  command->add_option("picture", options->Inputs, "the pictures (.png), row by row")->required();
-  command->add_option("-o,--output", options->Output, "the output: .png")->required();
+  command->add_option("picture", options->Inputs, "the pictures (.png, .jpg or .webp), row by row")
+    ->type_name(FilePlaceholder)
+    ->required();
+  command->add_option("-o,--output", options->Output, std::string("the output: ") + PictureFormats)
+    ->type_name(FilePlaceholder)
+    ->required();
   command->add_option("--columns", options->Columns, "pictures per row")
     ->check(Positive())
     ->capture_default_str();
-  command->add_option(
-    "--label", options->Labels, "a line of text below each picture; one option per picture");
+  command
+    ->add_option(
+      "--label", options->Labels, "a line of text below each picture; one option per picture")
+    ->type_name("TEXT");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

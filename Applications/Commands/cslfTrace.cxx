@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf trace: path-traces the reference for a novel view.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Options/cslfCameraOptions.h"
@@ -49,7 +50,8 @@ Result Run(const Options& options)
     tracer->Update();
   }
   ThrowOnError();
-  WritePicture(options.Output, DropAlpha(tracer->GetOutput()));
+  WritePicture(
+    options.Output, DropAlpha(tracer->GetOutput(), options.Camera.GetBackground().data()));
   Result result;
   result.Text = options.Output + "\n";
   result.JSON = IntegratorOptions::GetCost(tracer);
@@ -60,11 +62,14 @@ Result Run(const Options& options)
 
 void AddTrace(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand(
-    "trace", "Path-trace a view of a scene, over black, as a reference for light fields");
+  CLI::App* command =
+    app.add_subcommand("trace", "Path-trace a view of a scene, as a reference for light fields");
+  command->footer(MakeFooter({ "cslf trace cornell-box -o view.png --spp 64" }));
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
-  command->add_option("-o,--output", options->Output, "the output: .png")->required();
+  command->add_option("-o,--output", options->Output, std::string("the output: ") + PictureFormats)
+    ->type_name(FilePlaceholder)
+    ->required();
   options->Integrator.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -1,31 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf view: shows a light field in an interactive window.
+// cslf view: shows a light field, or a preview of a scene, in an interactive window.
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfUnfinishedFields.h"
 #include "Options/cslfCameraOptions.h"
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfToneOptions.h"
+#include "Pictures/cslfFrameFiles.h"
 #include "Pictures/cslfPictures.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "Viewer/cslfViewer.h"
 #include "cslfCommands.h"
 
 #include "vtkCSLFDecoder.h"
+#include "vtkCSLFSampler.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageResize.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkTrivialProducer.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -36,6 +45,12 @@ namespace
 /// How often the interactive window checks whether there is work to do.
 constexpr unsigned long TimerMilliseconds = 20;
 
+///@{
+/// The size of a scene's preview: some seconds of sampling, and about 70 MiB.
+constexpr int PreviewViewpoints = 5;
+constexpr int PreviewResolution = 128;
+///@}
+
 struct Options
 {
   std::string Field;
@@ -43,6 +58,7 @@ struct Options
   std::string Lookup;
   std::string Keys;
   std::string Screenshot;
+  std::string Record;
   int TruthSamples = 1024;
   double Seconds = 0.0;
   ToneOptions Tone;
@@ -73,6 +89,58 @@ public:
 };
 vtkStandardNewMacro(vtkFieldStyle);
 
+/// Records the window as a movie, at this number of pictures per second.
+class Recorder
+{
+public:
+  static constexpr double Rate = 25.0;
+
+  /// An empty name records nothing. Throws a Failure.
+  Recorder(const std::string& fileName, int width, int height)
+    : Size{ width, height, 1 }
+  {
+    if (!fileName.empty())
+    {
+      this->Writer = MakeFrameWriter(fileName, width, height, Rate);
+    }
+  }
+
+  /// Adds the window's picture, as often as the time since the start demands. Throws a Failure.
+  void Update(double seconds, vtkRenderWindow* window)
+  {
+    if (!this->Writer || this->Pictures > seconds * Rate)
+    {
+      return;
+    }
+    vtkSmartPointer<vtkImageData> picture = GrabPicture(window);
+    if (!std::equal(this->Size, this->Size + 2, picture->GetDimensions()))
+    {
+      vtkNew<vtkImageResize> resize;
+      resize->SetInputData(picture);
+      resize->SetOutputDimensions(this->Size);
+      resize->Update();
+      picture = resize->GetOutput();
+    }
+    for (; this->Pictures <= seconds * Rate; ++this->Pictures)
+    {
+      this->Writer->Add(picture);
+    }
+  }
+
+  void Finish()
+  {
+    if (this->Writer)
+    {
+      this->Writer->Finish();
+    }
+  }
+
+private:
+  int Size[3];
+  std::unique_ptr<FrameWriter> Writer;
+  int Pictures = 0;
+};
+
 /// An interactive run, for the timer.
 struct Session
 {
@@ -81,6 +149,7 @@ struct Session
   int TruthSamples;
   double Seconds; ///< until the window closes, unless 0
   UnfinishedField Field;
+  Recorder Movie;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
@@ -100,6 +169,7 @@ void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
       session->Shown.Render();
     }
   }
+  session->Movie.Update(age.count(), session->Shown.GetWindow());
 }
 
 void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
@@ -111,7 +181,8 @@ void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
   Session session{ viewer, style, options.TruthSamples, options.Seconds,
-    { options.Field, vtkCSLFDecoder::SafeDownCast(file.Reader) } };
+    { options.Field, vtkCSLFDecoder::SafeDownCast(file.Reader) },
+    { options.Record, options.Camera.GetWidth(), options.Camera.GetHeight() } };
   vtkNew<vtkCallbackCommand> timer;
   timer->SetCallback(OnTimer);
   timer->SetClientData(&session);
@@ -120,6 +191,7 @@ void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
   viewer.Render();
   interactor->Start();
   ThrowOnError();
+  session.Movie.Finish();
 }
 
 void DrawOnce(Viewer& viewer, const Options& options)
@@ -141,6 +213,65 @@ std::unique_ptr<RefiningTruth> MakeTruth(SceneOptions options, const Description
   return std::make_unique<RefiningTruth>(options, options.Read());
 }
 
+/// Whether the first argument is a scene, of which there is no light field yet.
+bool IsScene(const std::string& name)
+{
+  if (!IsSceneName(name) || LowerExtension(name) != ".vti")
+  {
+    return IsSceneName(name);
+  }
+  // Image data may be both.
+  const SeparateMessages messages;
+  try
+  {
+    OpenField(name);
+    return false;
+  }
+  catch (const Failure&)
+  {
+    return true;
+  }
+}
+
+vtkSmartPointer<vtkAlgorithm> Keep(vtkDataObject* data)
+{
+  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+  producer->SetOutput(data);
+  return producer;
+}
+
+/// Samples a small field of a scene in preview quality. Throws a Failure.
+FieldFile BakePreview(const SceneOptions& options)
+{
+  const Scene scene = options.Read();
+  vtkNew<vtkCSLFSampler> sampler;
+  options.Apply(scene, sampler);
+  sampler->SetQualityToPreview();
+  sampler->SetViewpoints(PreviewViewpoints);
+  sampler->SetResolution(PreviewResolution);
+  {
+    const ProgressBar bar(sampler, "Sampling");
+    sampler->Update();
+  }
+  ThrowOnError();
+  FieldFile file;
+  std::string error;
+  const auto field = Description::ReadFrom(sampler->GetOutput(), error);
+  if (!field)
+  {
+    throw Failure("The preview of the scene is empty: " + error);
+  }
+  file.Format = FieldFormat::ImageData;
+  file.Field = *field;
+  file.Reader = Keep(sampler->GetOutput());
+  auto* geometry = vtkPolyData::SafeDownCast(sampler->GetOutputDataObject(1));
+  if (geometry && geometry->GetNumberOfPolys() > 0)
+  {
+    file.GeometryReader = Keep(geometry);
+  }
+  return file;
+}
+
 void PressKeys(Viewer& viewer, const std::string& keys)
 {
   for (const char key : keys)
@@ -152,29 +283,46 @@ void PressKeys(Viewer& viewer, const std::string& keys)
   }
 }
 
-Result Run(const Options& options)
+Result Run(Options options)
 {
-  if (!options.Screenshot.empty())
+  const bool isVisible = options.Screenshot.empty();
+  const bool isScene = IsScene(options.Field);
+  if (isScene)
+  {
+    options.Scene.AddFirst(options.Field);
+  }
+  if (!isVisible)
   {
     RequirePicture(options.Screenshot);
     options.Scene.RequireOther(options.Screenshot);
   }
-  const FieldFile file = OpenField(FieldInput{ options.Field, true });
+  if (!options.Record.empty())
+  {
+    options.Scene.RequireOther(options.Record);
+    RequireOther(options.Field, options.Record);
+  }
+  if (isScene)
+  {
+    RequireDisplay(isVisible); // before the work
+  }
+  const FieldFile file =
+    isScene ? BakePreview(options.Scene) : OpenField(FieldInput{ options.Field, true });
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   auto truth = MakeTruth(options.Scene, file.Field);
-  RequireDisplay();
+  RequireDisplay(isVisible);
   ReadToDraw(file);
 
   Viewer viewer(
     file, camera, options.Camera.GetWidth(), options.Camera.GetHeight(), std::move(truth));
   viewer.GetWindow()->SetWindowName(("cslf: " + options.Field).c_str());
-  viewer.GetWindow()->SetOffScreenRendering(!options.Screenshot.empty());
+  viewer.GetWindow()->SetOffScreenRendering(!isVisible);
+  viewer.SetBackground(options.Camera.GetBackground().data());
   viewer.SetLookup(FindLookup(lookup));
   viewer.SetToneMapping(options.Tone.Get());
   PressKeys(viewer, options.Keys);
   Result result;
-  if (options.Screenshot.empty())
+  if (isVisible)
   {
     viewer.SetStreaming(true);
     Interact(viewer, options, file);
@@ -196,32 +344,46 @@ Result Run(const Options& options)
 
 void AddView(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("view", "View a light field in an interactive window");
-  command->footer("Keys and mouse:\n" + Viewer::GetHelp() +
-    "\n\nSpecify the scene, light and material that the field was sampled with to show the "
-    "path-traced scene beside the lookups (key t) and their PSNR against it.\n\nA video that is "
-    "still being written is shown as soon as it has its coarsest grid of viewpoints, and is "
-    "refined "
-    "as more of them are written.");
+  CLI::App* command =
+    app.add_subcommand("view", "View a light field or a scene in an interactive window");
+  command->footer(MakeFooter(
+    { "cslf view box.mp4", "cslf view box.mp4 cornell-box --keys st", "cslf view dragon.ply" },
+    "Keys and mouse:\n" + CLI::detail::find_and_replace("  " + Viewer::GetHelp(), "\n", "\n  ") +
+      "\n\nSpecify the scene, light and material that the field was sampled with to show the "
+      "path-traced scene beside the lookups (key t) and their PSNR against it.\n\nA video that is "
+      "still being written is shown as soon as it has its coarsest grid of viewpoints, and is "
+      "refined "
+      "as more of them are written."));
   const auto options = std::make_shared<Options>();
   command
     ->add_option("field", options->Field,
-      std::string("the light field, also while it is being written: ") + FieldFormats)
+      std::string("the light field, also while it is being written: ") + FieldFormats +
+        "; or a scene, of which a preview is sampled")
+    ->type_name(ScenePlaceholder)
     ->required();
   options->Scene.AddOptionalTo(*command);
   AddLookup(*command, options->Lookup, "the initial lookup");
-  command->add_option("--keys", options->Keys, "keys to press at the start, for example sto");
-  command->add_option("--screenshot", options->Screenshot,
-    "draw into this .png file without a window; if the path-traced scene is shown, when it is "
-    "finished");
+  command->add_option("--keys", options->Keys, "keys to press at the start, for example sto")
+    ->type_name("KEYS");
+  CLI::Option* screenshot = command->add_option("--screenshot", options->Screenshot,
+    std::string("draw a picture without a window, in the end if the path-traced scene is shown: ") +
+      PictureFormats);
+  screenshot->type_name(FilePlaceholder);
+  command
+    ->add_option("--record", options->Record,
+      std::string("record the window until it closes: ") + FrameFormats)
+    ->type_name(FilePlaceholder)
+    ->excludes(screenshot);
   command
     ->add_option(
       "--truth-samples", options->TruthSamples, "samples per pixel of the path-traced scene")
-    ->check(CLI::Range(1, 1 << 20))
+    ->check(Between(1, 1 << 20))
     ->capture_default_str();
   command
     ->add_option("--close-after", options->Seconds, "close the window after this number of seconds")
-    ->check(Positive());
+    ->check(Positive())
+    ->transform(Seconds())
+    ->type_name(TimePlaceholder);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -14,11 +14,18 @@
 #include <vtkOutputWindow.h>
 #include <vtkXMLReader.h>
 
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <mutex>
 #include <regex>
+#include <utility>
 #include <vector>
 
 namespace cslf::tool
@@ -109,32 +116,69 @@ vtkMessageCatcher* GetCatcher()
   return vtkMessageCatcher::SafeDownCast(vtkOutputWindow::GetInstance());
 }
 
+using Clock = std::chrono::steady_clock;
+
 /// The contents of a progress bar.
 struct Bar
 {
-  std::string Label;
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point Shown = Start;
+  explicit Bar(std::string label)
+    : Label(std::move(label))
+    , Phase(this->Label)
+  {
+    this->Print(0.0);
+  }
 
   /// Shows the phase that the algorithm names, or else the label.
-  void Show(const char* phase, double progress)
+  void Show(const char* text, double progress)
   {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - this->Shown < std::chrono::milliseconds(100))
+    const auto now = Clock::now();
+    const std::string phase = text && *text ? text : this->Label;
+    if (phase != this->Phase)
+    {
+      this->Phase = phase;
+      this->PhaseStart = now;
+      this->PhaseProgress = progress;
+    }
+    else if (now - this->Shown < std::chrono::milliseconds(100))
     {
       return;
     }
     this->Shown = now;
+    this->Print(std::clamp(progress, 0.0, 1.0));
+  }
+
+  void Print(double progress) const
+  {
     constexpr int width = 30;
     const int filled = static_cast<int>(width * progress);
-    const double elapsed = std::chrono::duration<double>(now - this->Start).count();
-    const int left =
-      progress > 0.0 ? static_cast<int>(elapsed * (1.0 - progress) / progress + 0.5) : 0;
-    std::fprintf(stderr, "\r%s [%s%s] %3d %%, %d:%02d left\033[K",
-      phase ? phase : this->Label.c_str(), std::string(filled, '#').c_str(),
-      std::string(width - filled, ' ').c_str(), static_cast<int>(100.0 * progress), left / 60,
-      left % 60);
+    std::fprintf(stderr, "\r%s [%s%s] %3d %%%s\033[K", this->Phase.c_str(),
+      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
+      static_cast<int>(100.0 * progress), this->DescribeRest(progress).c_str());
+    std::fflush(stderr);
   }
+
+  /// The time left, at the speed of this phase. Empty until that is known.
+  std::string DescribeRest(double progress) const
+  {
+    constexpr double leastSeconds = 2.0;
+    constexpr double leastProgress = 0.01;
+    const double seconds = std::chrono::duration<double>(Clock::now() - this->PhaseStart).count();
+    const double done = progress - this->PhaseProgress;
+    if (seconds < leastSeconds || done < leastProgress)
+    {
+      return {};
+    }
+    const auto left = static_cast<long>(seconds * (1.0 - progress) / done + 0.5);
+    char text[64];
+    std::snprintf(text, sizeof(text), ", %ld:%02ld left", left / 60, left % 60);
+    return text;
+  }
+
+  std::string Label;
+  std::string Phase;
+  Clock::time_point PhaseStart = Clock::now();
+  Clock::time_point Shown;
+  double PhaseProgress = 0.0; ///< at its start
 
   static void OnProgress(vtkObject* caller, unsigned long, void* self, void* progress)
   {
@@ -235,6 +279,14 @@ void PrintWarnings()
   }
 }
 
+void PrintNote(const std::string& text)
+{
+  if (IsErrorTerminal())
+  {
+    std::fprintf(stderr, "\r\033[Kcslf: %s\n", MakePrintable(text).c_str());
+  }
+}
+
 void PrintError(const std::string& text)
 {
   PrintLine("error", Clean(text.c_str()));
@@ -247,7 +299,7 @@ ProgressBar::ProgressBar(vtkAlgorithm* algorithm, const std::string& label)
   {
     vtkNew<vtkCallbackCommand> command;
     command->SetCallback(Bar::OnProgress);
-    command->SetClientData(new Bar{ label });
+    command->SetClientData(new Bar(label));
     command->SetClientDataDeleteCallback(Bar::Delete);
     this->Observer = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   }
@@ -261,4 +313,39 @@ ProgressBar::~ProgressBar()
     std::fprintf(stderr, "\r\033[K");
   }
 }
+
+#ifndef _WIN32
+namespace
+{
+/// Prints a line, and ends the process as without this handler.
+void OnInterruption(int signal)
+{
+  const char* text = ::isatty(STDERR_FILENO) ? "\r\033[Kcslf: interrupted: rerun to resume\n"
+                                             : "cslf: interrupted: rerun to resume\n";
+  static_cast<void>(::write(STDERR_FILENO, text, std::strlen(text)) + 1);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+}
+
+ResumableWork::ResumableWork()
+{
+  // What is started in the background may ignore it.
+  if (std::signal(SIGINT, OnInterruption) == SIG_IGN)
+  {
+    std::signal(SIGINT, SIG_IGN);
+  }
+}
+
+ResumableWork::~ResumableWork()
+{
+  if (std::signal(SIGINT, SIG_DFL) == SIG_IGN)
+  {
+    std::signal(SIGINT, SIG_IGN);
+  }
+}
+#else
+ResumableWork::ResumableWork() = default;
+ResumableWork::~ResumableWork() = default;
+#endif
 }

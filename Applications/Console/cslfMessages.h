@@ -73,8 +73,11 @@ void WarnOfNoise(
 
 void PrintError(const std::string& text);
 
-/// Shows the progress of a filter under this label. Does nothing unless standard error is a
-/// terminal. The filter must outlive the bar.
+/// Prints a line for people who wait: only if standard error is a terminal.
+void PrintNote(const std::string& text);
+
+/// Shows the progress of a filter: the phase that it names by its ProgressText, or else this label.
+/// Does nothing unless standard error is a terminal. The filter must outlive the bar.
 class ProgressBar
 {
 public:
@@ -86,6 +89,16 @@ public:
 private:
   vtkAlgorithm* Algorithm;
   unsigned long Observer = 0;
+};
+
+/// As long as it exists, an interruption (Ctrl+C) says that the next run will resume this one.
+class ResumableWork
+{
+public:
+  ResumableWork();
+  ~ResumableWork();
+  ResumableWork(const ResumableWork&) = delete;
+  void operator=(const ResumableWork&) = delete;
 };
 }
 

@@ -3,6 +3,7 @@
 #include "cslfFieldFiles.h"
 
 #include "Coding/Containers/cslfFileParts.h"
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
@@ -23,6 +24,7 @@
 #endif
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
@@ -35,7 +37,6 @@
 #include <cctype>
 #include <filesystem>
 #include <iomanip>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <type_traits>
@@ -55,9 +56,6 @@ constexpr const char* AutomaticKeyViews = "auto";
 /// The smallest targets on the command line. 0 would mean no target.
 constexpr double LeastRatio = 1e-3;
 constexpr double LeastTarget = 1.0;
-
-/// The suffixes of numbers of bytes.
-const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
 
 std::optional<FieldFormat> FindFormat(const std::string& fileName)
 {
@@ -130,6 +128,18 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
 }
 
 #ifdef CSLF_HAS_ENCODER
+/// Tells once what an encoder resumes.
+void NoteResumed(vtkObject* caller, unsigned long, void* isTold, void*)
+{
+  auto* encoder = vtkCSLFEncoder::SafeDownCast(caller);
+  if (encoder->GetResumedGroups() > 0 && !*static_cast<bool*>(isTold))
+  {
+    *static_cast<bool*>(isTold) = true;
+    PrintNote("resuming an interrupted run: " + std::to_string(encoder->GetResumedGroups()) +
+      " of " + std::to_string(encoder->GetNumberOfGroups()) + " groups of viewpoints are there");
+  }
+}
+
 void AddParts(vtkCSLFEncoder* encoder, const std::vector<FieldPart>& parts)
 {
   for (const FieldPart& part : parts)
@@ -203,6 +213,7 @@ FieldFile OpenField(const std::string& name)
 void FieldInput::AddTo(CLI::App& command, const std::string& name)
 {
   command.add_option(name, this->FileName, std::string("the light field: ") + FieldFormats)
+    ->type_name(FilePlaceholder)
     ->required();
   AddAllowMissing(command, this->AllowMissing);
 }
@@ -329,8 +340,9 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
     RangeOf(options::TargetSize, LeastTarget));
   CLI::Option* psnr = AddOption(command, options::TargetPSNR, rate, &Control::SetTargetPSNR,
     RangeOf(options::TargetPSNR, LeastTarget));
-  size->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
-    ->description(options::TargetSize.Help + std::string("; for example 20M or 1.5G"));
+  size->transform(Bytes())
+    ->description(options::TargetSize.Help + std::string("; for example 20MB or 1.5GiB"))
+    ->type_name(SizePlaceholder);
   factor->group(VideoGroup);
   ratio->group(VideoGroup)->excludes(factor);
   size->group(VideoGroup)->excludes(factor)->excludes(ratio);
@@ -351,7 +363,8 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
         },
         options::KeyViewStep.Help +
           std::string("; or \"auto\": as few as reach --target-novel-psnr"))
-      ->check(RangeOf(options::KeyViewStep, 1) | CLI::IsMember({ AutomaticKeyViews }))
+      ->check((RangeOf(options::KeyViewStep, 1) | OneOf({ AutomaticKeyViews }))
+                .description("1 to 4096, or auto"))
       ->default_str(CLI::detail::to_string(options::KeyViewStep.Default))
       ->group(VideoGroup);
   command
@@ -394,7 +407,7 @@ void CodingOptions::AddTo(CLI::App& command)
       "a file to store in the video, for example scene=model/gltf-binary:scene.glb; may be "
       "repeated")
     ->allow_extra_args(false)
-    ->type_name("NAME=TYPE:FILE")
+    ->option_text("NAME=TYPE:FILE")
     ->check(FindPartFault)
     ->group(group);
 }
@@ -515,9 +528,19 @@ nlohmann::json FieldWriter::WriteVideo(
   encoder->SetFileName(this->FileName.c_str());
   this->Coding.Apply(encoder);
   AddParts(encoder, this->Parts);
+  bool isTold = false;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetCallback(NoteResumed);
+  note->SetClientData(&isTold);
+  encoder->AddObserver(vtkCommand::ProgressEvent, note);
   const ProgressBar bar(encoder, label);
   bool isWritten = false;
   {
+    std::optional<ResumableWork> resumable;
+    if (this->Coding.Restart)
+    {
+      resumable.emplace();
+    }
     const SharedWork shared;
     isWritten = encoder->Write() != 0;
   }
@@ -539,6 +562,11 @@ nlohmann::json FieldWriter::WriteVideo(
   {
     json["depth_from_geometry"] = encoder->GetActualDepthFromGeometry();
     json["geometry_loss"] = encoder->GetActualGeometryLoss();
+  }
+  if (encoder->GetResumedGroups() > 0)
+  {
+    json["groups"] = encoder->GetNumberOfGroups();
+    json["resumed_groups"] = encoder->GetResumedGroups();
   }
   if (this->Coding.HasKeyViews())
   {
@@ -587,6 +615,11 @@ std::string DescribeCoding(const nlohmann::json& coding)
   if (coding.contains("novel_psnr"))
   {
     text << " with " << coding["novel_psnr"].get<double>() << " dB for the viewpoints between them";
+  }
+  if (coding.contains("resumed_groups"))
+  {
+    text << ", with " << coding["resumed_groups"].get<int>() << " of "
+         << coding["groups"].get<int>() << " groups of viewpoints from an interrupted run";
   }
   return text.str();
 }

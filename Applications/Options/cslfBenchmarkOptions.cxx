@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBenchmarkOptions.h"
 
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfTable.h"
@@ -24,8 +25,11 @@ void WriteResult(const Result& result, const std::string& folder, const std::str
 void BenchmarkOptions::AddTo(CLI::App& command)
 {
   command.add_option("field", this->Field, std::string("the light field: ") + FieldFormats)
+    ->type_name(FilePlaceholder)
     ->required();
-  command.add_option("-o,--output", this->Folder, "folder for the results")->required();
+  command.add_option("-o,--output", this->Folder, "folder for the results")
+    ->type_name(FolderPlaceholder)
+    ->required();
   this->Novel.AddTo(command, "Novel views (with --scene)");
   this->Scene.AddOptionalTo(command);
 }

@@ -6,6 +6,9 @@
 #include "cslfNumberChecks.h"
 
 #include <vtkCamera.h>
+#include <vtkColor.h>
+#include <vtkNamedColors.h>
+#include <vtkNew.h>
 
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
@@ -21,6 +24,23 @@ namespace
 const glm::dvec3 DefaultDirection(0.35, 0.25, 1.0);
 
 constexpr int MaximumSize = 16384;
+
+/// A colour of HTML, red, green and blue from 0 to 1. Nothing if it is none.
+std::optional<std::array<double, 3>> FindColor(const std::string& text)
+{
+  vtkNew<vtkNamedColors> colors;
+  const vtkColor4ub color = colors->HTMLColorToRGBA(text);
+  return color.GetAlpha() == 255 ? std::make_optional(std::array<double, 3>{ color.GetRed() / 255.0,
+                                     color.GetGreen() / 255.0, color.GetBlue() / 255.0 })
+                                 : std::nullopt;
+}
+
+CLI::Validator Color()
+{
+  return CLI::Validator([](std::string& text)
+    { return FindColor(text) ? std::string() : text + " is no colour such as white or #1a1a1f"; },
+    "");
+}
 
 glm::dvec3 ToVector(const std::vector<double>& values)
 {
@@ -47,7 +67,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(
 
 void CameraOptions::AddTo(CLI::App& command)
 {
-  const std::string group = "Camera (world coordinates)";
+  const std::string group = "Camera (world coordinates) and picture";
   command
     .add_option("--position", this->Position,
       "position of the camera (default: two cube edges in front of the centre)")
@@ -69,15 +89,27 @@ void CameraOptions::AddTo(CLI::App& command)
     ->capture_default_str()
     ->group(group);
   command.add_option("--view-angle", this->ViewAngle, "vertical view angle in degrees")
-    ->check(CLI::Range(0.01, 179.0))
+    ->check(Between(0.01, 179.0))
     ->capture_default_str()
     ->group(group);
   command.add_option("--size", this->Size, "size of the picture in pixels")
     ->expected(2)
-    ->check(CLI::Range(1, MaximumSize))
+    ->check(Between(1, MaximumSize))
     ->type_name("WIDTH HEIGHT")
     ->capture_default_str()
     ->group(group);
+  command
+    .add_option("--background", this->Background,
+      "what is seen beside the scene: a colour of HTML, such as white or #1a1a1f")
+    ->check(Color())
+    ->type_name("COLOR")
+    ->capture_default_str()
+    ->group(group);
+}
+
+std::array<double, 3> CameraOptions::GetBackground() const
+{
+  return FindColor(this->Background).value_or(std::array<double, 3>{});
 }
 
 vtkSmartPointer<vtkCamera> CameraOptions::MakeCamera(const Cube& cube) const

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The camera of a novel view, in world coordinates, on the command line.
+ * The camera of a novel view, in world coordinates, and the picture's size and background, on the
+ * command line.
  */
 #ifndef cslfCameraOptions_h
 #define cslfCameraOptions_h
@@ -11,7 +12,9 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkCamera;
@@ -29,6 +32,9 @@ constexpr double DefaultDistance = 2.0;
 /// The default vertical view angle in degrees.
 constexpr double DefaultViewAngle = 40.0;
 
+/// The default background. Not black, so that dark things are seen.
+constexpr const char* DefaultBackground = "#1a1a1f";
+
 /// A camera at `position` that looks at `focalPoint`; `up` is replaced if it is parallel to the
 /// view.
 vtkSmartPointer<vtkCamera> MakeCamera(
@@ -45,12 +51,16 @@ public:
   int GetWidth() const { return this->Size[0]; }
   int GetHeight() const { return this->Size[1]; }
 
+  /// What is seen beside the scene: red, green and blue from 0 to 1, as displayed.
+  std::array<double, 3> GetBackground() const;
+
 private:
   std::optional<std::vector<double>> Position;
   std::optional<std::vector<double>> FocalPoint;
   std::vector<double> ViewUp{ 0.0, 1.0, 0.0 };
   double ViewAngle = DefaultViewAngle;
   std::vector<int> Size{ 512, 512 };
+  std::string Background = DefaultBackground;
 };
 }
 

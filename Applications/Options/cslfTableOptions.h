@@ -32,11 +32,11 @@ CLI::Validator RangeOf(const NumberOption<T>& row, T least)
   constexpr double unlimited = 1e30;
   if (row.Maximum < std::numeric_limits<T>::max() && static_cast<double>(row.Maximum) < unlimited)
   {
-    return CLI::Range(least, row.Maximum);
+    return Between(least, row.Maximum);
   }
   const std::string limit = CLI::detail::to_string(least);
   return least > std::numeric_limits<T>::lowest()
-    ? AtLeast(static_cast<double>(least), "below " + limit, ">=" + limit)
+    ? AtLeast(static_cast<double>(least), "below " + limit, "at least " + limit)
     : CLI::Validator();
 }
 
@@ -65,7 +65,7 @@ CLI::Option* AddChoice(
       [names, set](const std::string& name)
       { set(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin())); },
       row.Help)
-    ->check(CLI::IsMember(names))
+    ->check(OneOf(names))
     ->default_str(names[value]);
 }
 
@@ -87,10 +87,11 @@ CLI::Option* AddOption(CLI::App& command, const EnumOption<Count>& row, int& val
   return AddChoice(command, row, value, [&value](int chosen) { value = chosen; });
 }
 
-inline CLI::Option* AddOption(
-  CLI::App& command, const cslf::Option<const char*>& row, std::string& value)
+inline CLI::Option* AddOption(CLI::App& command, const cslf::TextOption& row, std::string& value)
 {
-  return command.add_option(row.Flag, value, row.Help)->capture_default_str();
+  return command.add_option(row.Flag, value, row.Help)
+    ->check(Suggest(row.Suggestions))
+    ->capture_default_str();
 }
 
 inline CLI::Option* AddOption(CLI::App& command, const cslf::Option<bool>& row, bool& value)

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCameraPath.h"
 
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfJSONFile.h"
 #include "Options/cslfCameraOptions.h"
+#include "Options/cslfNumberChecks.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>
@@ -163,9 +165,11 @@ void CameraPathOptions::AddTo(CLI::App& command)
     .add_option("--path", this->Path,
       "orbit: a full turn that begins at the camera; swing: back and forth within 35 degrees of "
       "+Z; or a JSON file of key cameras: [[position, focal point, view up], ...]")
+    ->type_name(FilePlaceholder)
+    ->check(Suggest("orbit, swing"))
     ->group(group);
   command.add_option("--frames", this->Frames, "number of pictures along the path")
-    ->check(CLI::Range(1, 1000000))
+    ->check(Between(1, 1000000))
     ->capture_default_str()
     ->group(group);
 }

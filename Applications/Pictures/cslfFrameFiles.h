@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the pictures of a camera path: a folder of numbered PNGs, or a video.
+ * Writes pictures one after the other: to a folder of numbered PNGs, or to a movie.
  */
 #ifndef cslfFrameFiles_h
 #define cslfFrameFiles_h
+
+#include "Console/cslfOutputFiles.h"
 
 #include <memory>
 #include <string>
@@ -15,7 +17,7 @@ class vtkImageData;
 namespace cslf::tool
 {
 /// The formats, for help and errors.
-constexpr const char* FrameFormats = "a folder, .mp4 or .mkv";
+constexpr const char* FrameFormats = "a folder, .mp4, .mkv, .webm, .gif or .webp";
 
 /// Takes one picture after the other. The result appears complete, with Finish, or not at all.
 class FrameWriter
@@ -30,11 +32,33 @@ public:
   virtual void Finish() = 0;
 };
 
-/// A writer for pictures of this size: for a video with `frameRate` frames per second if the name
-/// ends with .mp4 or .mkv, or for a folder if the name has no extension. Throws a Failure if the
-/// destination is not writable or the format is unknown.
+/// Whether the name's extension is that of a movie.
+bool IsMovieName(const std::string& fileName);
+
+/// A writer for pictures of this size: a movie with `frameRate` frames per second, or a folder if
+/// the name has no extension. Throws a Failure if the destination is not writable, or the format is
+/// unknown or not supported.
 std::unique_ptr<FrameWriter> MakeFrameWriter(
   const std::string& output, int width, int height, double frameRate);
+
+/// A file of one or more pictures in a format of OpenImageIO, which the extension tells.
+class ImageFile
+{
+public:
+  /// `frameRate` is that of a movie. Throws a Failure.
+  ImageFile(const std::string& fileName, const int size[2], double frameRate);
+  ~ImageFile();
+
+  /// Adds a picture of red, green and blue bytes. Throws a Failure.
+  void Add(vtkImageData* picture);
+  void Publish();
+
+private:
+  struct Output;
+
+  OutputFile File;
+  std::unique_ptr<Output> Image;
+};
 }
 
 #endif

@@ -3,37 +3,51 @@
 #include "cslfMovie.h"
 
 #include "Console/cslfMessages.h"
+#include "Fields/cslfFieldFiles.h"
 
 #ifdef CSLF_HAS_ENCODER
 #include "Coding/Frames/cslfColorFrames.h"
-#include "Console/cslfOutputFiles.h"
 
 #include <vtkImageData.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
-#else
-#include "Fields/cslfFieldFiles.h"
 #endif
 
 namespace cslf::tool
 {
+const MovieFormat* FindMovieFormat(const std::string& fileName)
+{
+  // Almost invisible loss.
+  static const MovieFormat formats[] = {
+    { ".mp4", "libx264", "crf=18", true },
+    { ".mkv", "libx264", "crf=18", true },
+    { ".webm", "libvpx-vp9", "crf=20:b=0:deadline=good:cpu-used=4:row-mt=1", true },
+    { ".webp", "libwebp_anim", "quality=90", false },
+  };
+  const std::string extension = LowerExtension(fileName);
+  for (const MovieFormat& format : formats)
+  {
+    if (extension == format.Extension)
+    {
+      return &format;
+    }
+  }
+  return nullptr;
+}
+
 #ifdef CSLF_HAS_ENCODER
 namespace
 {
-constexpr const char* EncoderName = "libx264";
-constexpr AVPixelFormat Format = AV_PIX_FMT_YUV420P;
 constexpr int ColorBytes = 4;
-
-/// x264's rate factor for almost invisible loss.
-constexpr const char* RateFactor = "18";
 
 class MovieWriter : public FrameWriter
 {
 public:
   explicit MovieWriter(const std::string& fileName)
     : FileName(fileName)
+    , Format(*FindMovieFormat(fileName))
     , File(fileName)
     , Temporary(this->File.GetTemporaryName())
   {
@@ -64,7 +78,14 @@ public:
       }
     }
     this->Check(av_frame_make_writable(this->Frame.get()));
-    PutColors(this->Colors.data(), width, this->Frame.get());
+    if (this->Format.IsSubsampled)
+    {
+      PutColors(this->Colors.data(), width, this->Frame.get());
+    }
+    else
+    {
+      this->PutRGB();
+    }
     this->Frame->pts = this->Frames;
     ++this->Frames;
     this->Check(avcodec_send_frame(this->Encoder.get(), this->Frame.get()));
@@ -95,37 +116,44 @@ private:
     this->Check(frame ? 0 : AVERROR(ENOMEM));
     frame->width = width;
     frame->height = height;
-    frame->format = Format;
-    frame->color_range = AVCOL_RANGE_MPEG;
+    frame->format = this->Encoder->pix_fmt;
+    frame->color_range = this->Encoder->color_range;
     this->Check(av_frame_get_buffer(frame.get(), 0));
     return frame;
   }
 
   void OpenEncoder(int width, int height, double frameRate)
   {
-    const AVCodec* codec = avcodec_find_encoder_by_name(EncoderName);
+    const AVCodec* codec = avcodec_find_encoder_by_name(this->Format.Encoder);
     this->Encoder.reset(codec ? avcodec_alloc_context3(codec) : nullptr);
     if (!this->Encoder)
     {
-      throw Failure(std::string("This FFmpeg lacks ") + EncoderName +
-        ", which is needed for videos of pictures: write a folder.");
+      throw Failure(std::string("This FFmpeg lacks ") + this->Format.Encoder + ", which " +
+        this->Format.Extension + " needs: write a folder, or another format.");
     }
     constexpr int most = 1001000;
     const AVRational rate = av_d2q(frameRate, most);
     AVCodecContext* context = this->Encoder.get();
     context->width = width;
     context->height = height;
-    context->pix_fmt = Format;
-    context->color_range = AVCOL_RANGE_MPEG;
-    context->color_primaries = AVCOL_PRI_BT709;
-    context->color_trc = AVCOL_TRC_IEC61966_2_1;
-    context->colorspace = AVCOL_SPC_BT709;
-    context->chroma_sample_location = AVCHROMA_LOC_LEFT;
+    context->pix_fmt = AV_PIX_FMT_BGRA;
+    if (this->Format.IsSubsampled)
+    {
+      context->pix_fmt = AV_PIX_FMT_YUV420P;
+      context->color_range = AVCOL_RANGE_MPEG;
+      context->color_primaries = AVCOL_PRI_BT709;
+      context->color_trc = AVCOL_TRC_IEC61966_2_1;
+      context->colorspace = AVCOL_SPC_BT709;
+      context->chroma_sample_location = AVCHROMA_LOC_LEFT;
+    }
     context->framerate = rate;
     context->time_base = av_inv_q(rate);
     context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    av_opt_set(context->priv_data, "crf", RateFactor, 0);
-    this->Check(avcodec_open2(context, codec, nullptr));
+    AVDictionary* quality = nullptr;
+    av_dict_parse_string(&quality, this->Format.Quality, "=", ":", 0);
+    const int code = avcodec_open2(context, codec, &quality);
+    av_dict_free(&quality);
+    this->Check(code);
   }
 
   void OpenContainer()
@@ -140,7 +168,29 @@ private:
     this->Stream->time_base = this->Encoder->time_base;
     this->Stream->avg_frame_rate = this->Encoder->framerate;
     this->Check(avio_open(&output->pb, this->Temporary.c_str(), AVIO_FLAG_WRITE));
-    this->Check(avformat_write_header(output, nullptr));
+    AVDictionary* endless = nullptr;
+    av_dict_set(&endless, "loop", "0", 0); // of WebP
+    const int code = avformat_write_header(output, &endless);
+    av_dict_free(&endless);
+    this->Check(code);
+  }
+
+  /// Copies the colours to the frame as blue, green, red and an alpha of 1.
+  void PutRGB()
+  {
+    for (int y = 0; y < this->Frame->height; ++y)
+    {
+      const std::size_t bytes = static_cast<std::size_t>(ColorBytes) * this->Frame->width;
+      const unsigned char* source = &this->Colors[bytes * y];
+      unsigned char* row = this->Frame->data[0] + std::ptrdiff_t(y) * this->Frame->linesize[0];
+      for (std::size_t x = 0; x < bytes; x += ColorBytes)
+      {
+        row[x] = source[x + 2];
+        row[x + 1] = source[x + 1];
+        row[x + 2] = source[x];
+        row[x + 3] = 255;
+      }
+    }
   }
 
   /// Passes on all packets that the encoder has ready.
@@ -159,6 +209,7 @@ private:
 
   AVLogSilence Silence;
   std::string FileName;
+  const MovieFormat& Format;
   OutputFile File;
   std::string Temporary;
   AVHandle<AVCodecContext> Encoder;
@@ -174,7 +225,8 @@ private:
 std::unique_ptr<FrameWriter> MakeMovieWriter(
   const std::string& fileName, int width, int height, double frameRate)
 {
-  if (width % 2 != 0 || height % 2 != 0)
+  const bool isOdd = width % 2 != 0 || height % 2 != 0;
+  if (isOdd && FindMovieFormat(fileName)->IsSubsampled)
   {
     throw Failure("A video needs pictures of even width and height: choose another --size.");
   }

@@ -45,6 +45,11 @@ void OffscreenWindow::AddActor(vtkActor* actor)
   this->Renderer->AddActor(actor);
 }
 
+void OffscreenWindow::SetBackground(const double color[3])
+{
+  this->Renderer->SetBackground(color[0], color[1], color[2]);
+}
+
 void OffscreenWindow::SetDesiredUpdateRate(double rate)
 {
   this->Window->SetDesiredUpdateRate(rate);

@@ -23,7 +23,7 @@ namespace cslf::tool
 /// The red, green and blue of a window's picture. Throws a Failure.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
 
-/// A black off-screen window.
+/// An off-screen window, by default black.
 class OffscreenWindow
 {
 public:
@@ -33,6 +33,7 @@ public:
   OffscreenWindow& operator=(const OffscreenWindow&) = delete;
 
   void AddActor(vtkActor* actor);
+  void SetBackground(const double color[3]);
 
   /// Like vtkRenderWindow::DesiredUpdateRate, in frames per second.
   void SetDesiredUpdateRate(double rate);

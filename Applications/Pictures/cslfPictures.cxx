@@ -4,8 +4,10 @@
 
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
+#include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfTableOptions.h"
+#include "cslfFrameFiles.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -13,22 +15,18 @@
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
-#include <vtkImageExtractComponents.h>
-#include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 
 #include <CLI/CLI.hpp>
 
-#ifdef CSLF_NEEDS_X_SERVER
-#include <X11/Xlib.h>
-#endif
-
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
-#include <memory>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -41,28 +39,42 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
   {
     throw Failure("There is no file " + fileName + ".");
   }
-  vtkNew<vtkPNGReader> reader;
-  if (!reader->CanReadFile(fileName.c_str()))
+  std::ifstream stream(ToPath(fileName), std::ios::binary);
+  const std::vector<char> bytes(std::istreambuf_iterator<char>(stream), {});
+  std::string error;
+  const auto picture =
+    DecodeImage(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), "", error);
+  if (!picture)
   {
-    throw Failure(fileName + " is not a PNG file.");
+    throw Failure(fileName + " " + error + ".");
   }
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  ThrowOnError();
-  return reader->GetOutput();
+  return picture;
+}
+
+bool IsPictureName(const std::string& fileName)
+{
+  static const std::set<std::string> extensions = { ".png", ".jpg", ".jpeg", ".webp", ".gif" };
+  return extensions.count(LowerExtension(fileName)) > 0;
 }
 
 void RequirePicture(const std::string& fileName)
 {
-  if (LowerExtension(fileName) != ".png")
+  if (!IsPictureName(fileName))
   {
-    throw Failure("Pictures are written as .png.");
+    throw Failure(std::string("Pictures are written as ") + PictureFormats + ".");
   }
   RequireWritable(fileName);
 }
 
 void WritePicture(const std::string& fileName, vtkImageData* picture)
 {
+  if (LowerExtension(fileName) != ".png")
+  {
+    ImageFile file(fileName, picture->GetDimensions(), 0.0);
+    file.Add(picture);
+    file.Publish();
+    return;
+  }
   const auto bytes = EncodePNG(picture);
   WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName);
 }
@@ -78,27 +90,22 @@ vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture)
   return writer->GetResult();
 }
 
-vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
+vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture, const double background[3])
 {
-  vtkNew<vtkImageExtractComponents> extract;
-  extract->SetInputData(picture);
-  extract->SetComponents(0, 1, 2);
-  extract->Update();
-  return extract->GetOutput();
-}
-
-void RequireDisplay()
-{
-#ifdef CSLF_NEEDS_X_SERVER
-  // Kept until the end: a server that loses its last client restarts, and breaks connections that
-  // are made at that moment.
-  static const std::unique_ptr<Display, int (*)(Display*)> display(
-    XOpenDisplay(nullptr), XCloseDisplay);
-  if (!display)
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->SetDimensions(picture->GetDimensions());
+  result->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto* source = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  auto* target = static_cast<unsigned char*>(result->GetScalarPointer());
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i, source += 4, target += 3)
   {
-    throw Failure("Drawing needs an X server: set DISPLAY, or use xvfb-run -a cslf ...");
+    for (int k = 0; k < 3; ++k)
+    {
+      target[k] = static_cast<unsigned char>(
+        std::min(255L, std::lround(source[k] + (255 - source[3]) * background[k])));
+    }
   }
-#endif
+  return result;
 }
 
 namespace
@@ -189,7 +196,8 @@ void AddLookups(CLI::App& command, std::vector<std::string>& names)
       "lookups to measure, for example bilinear,depth (default: all for which the field has what "
       "they need)")
     ->delimiter(',')
-    ->check(CLI::IsMember(GetLookupNames()));
+    ->type_name("LIST")
+    ->check(OneOf(GetLookupNames()));
 }
 
 int FindLookup(const std::string& name)
@@ -205,7 +213,7 @@ void AddLookup(CLI::App& command, std::string& name, const std::string& help)
   command
     .add_option("--lookup", name,
       help + " (default: geometry; without geometry depth, and without depth focal)")
-    ->check(CLI::IsMember(GetLookupNames()))
+    ->check(OneOf(GetLookupNames()))
     ->default_str("");
 }
 

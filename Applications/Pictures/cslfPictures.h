@@ -32,23 +32,30 @@ class App;
 
 namespace cslf::tool
 {
-/// Reads a PNG of 8 bits. Throws a Failure.
+/// The formats of single pictures, for help and errors.
+constexpr const char* PictureFormats = ".png, .jpg, .webp or .gif";
+
+/// Whether the name's extension is that of a picture.
+bool IsPictureName(const std::string& fileName);
+
+/// Reads a PNG, JPEG or WebP file, with 8 bits. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
 
-/// Throws a Failure if a name is not that of a PNG, or a file cannot be written there.
+/// Throws a Failure if a name is not that of a picture, or a file cannot be written there.
 void RequirePicture(const std::string& fileName);
 
-/// Writes a PNG, which appears complete or not at all. Throws a Failure.
+/// Writes a picture, which appears complete or not at all. Throws a Failure.
 void WritePicture(const std::string& fileName, vtkImageData* picture);
 
 /// The bytes of a PNG. Throws a Failure.
 vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture);
 
-/// The red, green and blue of a picture of associated alpha, which composites it over black.
-vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture);
+/// The red, green and blue of a picture of associated alpha over a background.
+vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture, const double background[3]);
 
-/// Throws a Failure if VTK could not open a window, on or off the screen.
-void RequireDisplay();
+/// Makes sure that VTK can open a window. If that must not be visible, a server is started where
+/// there is no display. Throws a Failure.
+void RequireDisplay(bool isVisible = false);
 
 /// The name of a lookup of vtkCSLFMapper on the command line and in tables.
 struct LookupName
@@ -87,7 +94,7 @@ void AddLookup(CLI::App& command, std::string& name, const std::string& help);
 /// replaces depth, with a warning.
 std::string ChooseLookup(const std::string& name, const FieldFile& file);
 
-/// Draws a light field off screen, over black.
+/// Draws a light field off screen, by default over black.
 class FieldRenderer
 {
 public:
@@ -99,6 +106,8 @@ public:
 
   /// The tone mapping of views. By default, colours are shown unchanged.
   void SetToneMapping(vtkCSLFToneMapping* toneMapping);
+
+  void SetBackground(const double color[3]) { this->Window.SetBackground(color); }
 
   /// Like vtkCSLFMapper::PixelSamples.
   int GetPixelSamples() const;

@@ -8,7 +8,7 @@
 #include "Options/cslfCameraOptions.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfColor.h"
+#include "cslfPictures.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -43,9 +43,6 @@ constexpr int Width = 960;
 constexpr int Height = 720;
 constexpr int Samples = 64;
 constexpr double NoiseTarget = 0.01;
-
-// As in the viewer.
-constexpr double Background[3] = { 0.1, 0.1, 0.12 };
 
 // PNG's keyword for what made a file.
 constexpr const char* SoftwareKey = "Software";
@@ -161,29 +158,6 @@ vtkSmartPointer<vtkCamera> MakeCamera(const Scene& scene, const SceneAxes& axes,
   return (fromRight.Extent < 0.5 * fromLeft.Extent ? fromLeft : fromRight).Camera;
 }
 
-/// Puts colours of associated alpha over the background.
-vtkSmartPointer<vtkImageData> PutOverBackground(vtkImageData* picture)
-{
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
-  vtkNew<vtkUnsignedCharArray> opaque;
-  opaque->SetName(colors->GetName());
-  opaque->SetNumberOfComponents(3);
-  opaque->SetNumberOfTuples(colors->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
-  {
-    const double missing = 255.0 - colors->GetTypedComponent(i, 3);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double level = colors->GetTypedComponent(i, c) + missing * Background[c];
-      opaque->SetTypedComponent(i, c, ToByte(level / 255.0));
-    }
-  }
-  auto result = vtkSmartPointer<vtkImageData>::New();
-  result->SetDimensions(picture->GetDimensions());
-  result->GetPointData()->SetScalars(opaque);
-  return result;
-}
-
 bool IsOwnPicture(const std::string& fileName)
 {
   const SeparateMessages messages;
@@ -221,8 +195,14 @@ void WriteScenePicture(const std::string& fileName, const SceneOptions& options,
     tracer->Update();
   }
   ThrowOnError();
+  const auto picture = DropAlpha(tracer->GetOutput(), CameraOptions().GetBackground().data());
+  if (LowerExtension(fileName) != ".png")
+  {
+    WritePicture(fileName, picture);
+    return;
+  }
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(PutOverBackground(tracer->GetOutput()));
+  writer->SetInputData(picture);
   writer->AddText(SoftwareKey, Software);
   writer->WriteToMemoryOn();
   writer->Write();

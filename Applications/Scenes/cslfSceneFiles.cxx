@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneFiles.h"
 
+#include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
@@ -247,6 +248,11 @@ bool FindTriple(const nlohmann::json& from, const char* key, std::array<double, 
 }
 }
 
+bool IsSceneName(const std::string& input)
+{
+  return vtkCSLFSceneSource::HasScene(input.c_str()) || FindReader(GetReaders(), input);
+}
+
 Part ReadScenePart(const std::string& input)
 {
   if (vtkCSLFSceneSource::HasScene(input.c_str()))
@@ -337,7 +343,7 @@ void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) cons
 
 void SceneOptions::AddInputsTo(CLI::App& command)
 {
-  command.add_option("input", this->Inputs, InputHelp)->required();
+  command.add_option("input", this->Inputs, InputHelp)->type_name(ScenePlaceholder)->required();
 }
 
 void SceneOptions::AddTo(CLI::App& command)
@@ -348,7 +354,7 @@ void SceneOptions::AddTo(CLI::App& command)
 
 void SceneOptions::AddOptionalTo(CLI::App& command)
 {
-  command.add_option("input,--scene", this->Inputs, InputHelp);
+  command.add_option("input,--scene", this->Inputs, InputHelp)->type_name(ScenePlaceholder);
   this->AddLightAndMaterialTo(command);
 }
 
@@ -362,6 +368,8 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
     .add_option_function<std::string>(
       options::EnvironmentMode.Flag, [this](const std::string& name) { this->ChooseLight(name); },
       EnvironmentHelp)
+    ->type_name(FilePlaceholder)
+    ->check(Suggest("white, gradient, none"))
     ->group(light)
     ->excludes(command.get_option("--light"));
   AddOption(command, options::EnvironmentIntensity, environment, &vtkCSLFEnvironment::SetIntensity)
@@ -381,7 +389,8 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
       options::BaseColor.Help +
         std::string("; replaces the colours of the files (default: their colours, or gray)"))
     ->expected(3)
-    ->check(CLI::Range(0.0, 1.0))
+    ->check(Between(0.0, 1.0))
+    ->type_name("R G B")
     ->group(material);
   AddOption(command, options::PointRadius, this->PointRadius)->group(material);
 }

@@ -45,6 +45,10 @@ public:
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
+/// Whether a scene has that name, or a file's extension is that of scenes. Light fields may have
+/// the same.
+bool IsSceneName(const std::string& input);
+
 /// Reads one file of a scene, or makes the scene of vtkCSLFSceneSource that has this name. Throws a
 /// Failure if nothing is visible.
 vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
@@ -61,6 +65,9 @@ public:
 
   /// The files only.
   void AddInputsTo(CLI::App& command);
+
+  /// Adds a scene before those of the command line.
+  void AddFirst(const std::string& input) { this->Inputs.insert(this->Inputs.begin(), input); }
 
   /// Takes defaults for the command line from a field's sampling parameters.
   void TakeDefaults(const nlohmann::json& sampling);

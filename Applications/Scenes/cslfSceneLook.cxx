@@ -271,13 +271,13 @@ void SceneLook::AddTo(CLI::App& command)
       "the array that colours the surfaces, of points or else of cells; for one of its components, "
       "add a colon and its number, x, y, z, its name or magnitude: velocity:x; none: no array "
       "(default: the file's active scalars, if they vary)")
-    ->type_name("ARRAY[:COMPONENT]")
+    ->option_text("ARRAY[:COMPONENT]")
     ->group(group);
   command
     .add_option("--color-map", this->ColorMap,
       "the colours of the array's values: cool-to-warm, viridis, plasma, inferno, gray or rainbow "
       "(default: cool-to-warm, or the file's own lookup table)")
-    ->check(CLI::IsMember(ListNames(GetColorMaps())))
+    ->check(OneOf(ListNames(GetColorMaps())))
     ->type_name("NAME")
     ->group(group);
   command
@@ -292,14 +292,14 @@ void SceneLook::AddTo(CLI::App& command)
       "the light: studio (soft, from above on the left), sun (a sky and a sun with sharp shadows), "
       "sky (white above, dark below), white (the same from everywhere) or none (default: studio; a "
       "dim sky for files with lights; scenes by name have their own light)")
-    ->check(CLI::IsMember(GetLightNames()))
+    ->check(OneOf(GetLightNames()))
     ->type_name("PRESET")
     ->group(group);
   command
     .add_option("--up", this->Up,
       "the axis of the scene that points up: x, y, z, -x, -y or -z; light and first view follow it "
       "(default: y)")
-    ->check(CLI::IsMember({ "x", "y", "z", "-x", "-y", "-z" }))
+    ->check(OneOf({ "x", "y", "z", "-x", "-y", "-z" }))
     ->type_name("AXIS")
     ->group(group);
 }

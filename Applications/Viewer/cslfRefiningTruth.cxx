@@ -4,6 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "Options/cslfToneOptions.h"
+#include "Pictures/cslfPictures.h"
 #include "cslfSeconds.h"
 
 #include "vtkCSLFViewTracer.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace cslf::tool
 {
@@ -84,18 +86,21 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples
   }
 }
 
-vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(vtkCSLFToneMapping* toneMapping) const
+vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(
+  vtkCSLFToneMapping* toneMapping, const double background[3]) const
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(this->Size[0], this->Size[1], 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
   const double scale = 1.0 / this->Samples;
-  for (std::size_t i = 0; i < this->Sums.size(); i += 4, pixels += 3)
+  for (std::size_t i = 0; i < this->Sums.size(); i += 4, pixels += 4)
   {
     const glm::dvec3 radiance(this->Sums[i], this->Sums[i + 1], this->Sums[i + 2]);
-    EncodeShown(toneMapping, scale * radiance, scale * this->Sums[i + 3], pixels);
+    const double alpha = scale * this->Sums[i + 3];
+    EncodeShown(toneMapping, scale * radiance, alpha, pixels);
+    pixels[3] = static_cast<unsigned char>(std::lround(255.0 * std::clamp(alpha, 0.0, 1.0)));
   }
-  return picture;
+  return DropAlpha(picture, background);
 }
 }

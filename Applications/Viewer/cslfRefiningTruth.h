@@ -41,8 +41,9 @@ public:
   /// The samples per pixel so far.
   int GetSamples() const { return this->Samples; }
 
-  /// The picture as displayed, over black.
-  vtkSmartPointer<vtkImageData> MakePicture(vtkCSLFToneMapping* toneMapping) const;
+  /// The picture as displayed over a background.
+  vtkSmartPointer<vtkImageData> MakePicture(
+    vtkCSLFToneMapping* toneMapping, const double background[3]) const;
 
 private:
   vtkNew<vtkCSLFViewTracer> Tracer;

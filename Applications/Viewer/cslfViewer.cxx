@@ -112,6 +112,8 @@ Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   this->Window->SetSize(width, height);
   this->Window->SetMultiSamples(0);
   this->Window->SetNumberOfLayers(2);
+  this->Backdrop->InteractiveOff();
+  this->Window->AddRenderer(this->Backdrop);
   for (const LookupName& lookup : GetLookups(file))
   {
     this->Lookup = this->AddPane(lookup.Name, lookup.Lookup)->Lookup;
@@ -139,7 +141,6 @@ Viewer::Pane* Viewer::AddPane(const std::string& name, int lookup)
   pane->Owner = this;
   pane->Name = name;
   pane->Lookup = lookup;
-  pane->Renderer->SetBackground(Background[0], Background[1], Background[2]);
   pane->Renderer->SetActiveCamera(this->Camera);
   pane->Renderer->AddActor(this->FieldActor);
   for (const auto& prop : { this->Outline, this->Axes, this->Markers })
@@ -210,6 +211,15 @@ void Viewer::Arrange()
     pane->PSNR = 0.0;
   }
   this->MeasuredSamples = 0;
+}
+
+void Viewer::SetBackground(const double color[3])
+{
+  this->Backdrop->SetBackground(color[0], color[1], color[2]);
+  for (const auto& pane : this->Panes)
+  {
+    pane->Renderer->SetBackground(color[0], color[1], color[2]);
+  }
 }
 
 void Viewer::SetLookup(int lookup)
@@ -357,7 +367,8 @@ void Viewer::ShowTruth()
   }
   Pane* pane = this->FindPane(TruthPane);
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(this->Truth->MakePicture(this->Mapper->GetToneMapping()));
+  texture->SetInputData(
+    this->Truth->MakePicture(this->Mapper->GetToneMapping(), this->Backdrop->GetBackground()));
   pane->Renderer->SetBackgroundTexture(texture);
   pane->Label->SetInput(
     (pane->Name + ": " + std::to_string(this->GetTruthSamples()) + " samples a pixel").c_str());

@@ -52,6 +52,9 @@ public:
 
   vtkRenderWindow* GetWindow() { return this->Window; }
 
+  /// Red, green and blue from 0 to 1.
+  void SetBackground(const double color[3]);
+
   /// A lookup of vtkCSLFMapper, drawn alone or beside the reference.
   void SetLookup(int lookup);
   void SetToneMapping(vtkCSLFToneMapping* toneMapping);
@@ -66,7 +69,7 @@ public:
   /// something new to draw. Throws a Failure.
   bool Refine(int mostSamples);
 
-  /// The window's picture as a PNG. Throws a Failure.
+  /// Writes the window's picture. Throws a Failure.
   void WriteScreenshot(const std::string& fileName);
 
   /// Frames per second over the last frames; 0 before there are two.
@@ -103,6 +106,7 @@ private:
   vtkSmartPointer<vtkCSLFDecoder> Decoder; ///< null if the field is not a video
   vtkSmartPointer<vtkCamera> Camera;
   vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Backdrop; ///< behind the panes, which may leave a cell empty
   vtkNew<vtkRenderer> Overlay;
   vtkNew<vtkTextActor> HelpText;
   vtkNew<vtkTextActor> StateText;

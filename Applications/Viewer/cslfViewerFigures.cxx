@@ -30,6 +30,9 @@ namespace cslf::tool
 namespace
 {
 constexpr std::size_t FramesAveraged = 10;
+
+/// Lookups are measured over black, as by cslf evaluate.
+constexpr double Black[3] = { 0.0, 0.0, 0.0 };
 }
 
 void Viewer::CountFrame(vtkObject*, unsigned long event, void* client, void*)
@@ -120,7 +123,7 @@ void Viewer::Measure()
   };
   const std::deque<double> frames = this->FrameSeconds;
   setHidden(true);
-  place->Renderer->SetBackground(0.0, 0.0, 0.0);
+  place->Renderer->SetBackground(Black[0], Black[1], Black[2]);
   for (Pane* pane : shown)
   {
     if (pane != place)
@@ -128,7 +131,7 @@ void Viewer::Measure()
       pane->PSNR = this->MeasureLookup(pane->Lookup, place);
     }
   }
-  place->Renderer->SetBackground(Background[0], Background[1], Background[2]);
+  place->Renderer->SetBackground(this->Backdrop->GetBackground());
   setHidden(false);
   this->FrameSeconds = frames;
 }
@@ -148,7 +151,7 @@ double Viewer::MeasureLookup(int lookup, Pane* place)
   seen->SetDimensions(size[0], size[1], 1);
   seen->GetPointData()->SetScalars(pixels);
   vtkNew<vtkCSLFImageQuality> quality;
-  quality->SetInputData(0, this->Truth->MakePicture(this->Mapper->GetToneMapping()));
+  quality->SetInputData(0, this->Truth->MakePicture(this->Mapper->GetToneMapping(), Black));
   quality->SetInputData(1, seen);
   quality->SetStencilData(MakeCubeStencil(this->Field.Box, this->Camera, size[0], size[1]));
   quality->Update();

@@ -18,7 +18,6 @@
 namespace cslf::tool
 {
 constexpr int TruthPane = -1; ///< stands for the reference instead of a lookup
-constexpr double Background[3] = { 0.1, 0.1, 0.12 };
 
 struct Viewer::Pane
 {

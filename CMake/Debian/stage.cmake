@@ -28,6 +28,8 @@ foreach (file IN ITEMS "${doc}/changelog" "${manual}")
     execute_process(COMMAND gzip -9 --no-name --force "${file}" COMMAND_ERROR_IS_FATAL ANY)
   endif ()
 endforeach ()
+# Debian's zsh looks for packages' completions in a folder of its own.
+file(RENAME "${root}/zsh/site-functions" "${root}/zsh/vendor-completions")
 file(MAKE_DIRECTORY "${root}/lintian/overrides")
 file(COPY_FILE "${CMAKE_CURRENT_LIST_DIR}/lintian-overrides"
   "${root}/lintian/overrides/${CPACK_PACKAGE_NAME}")

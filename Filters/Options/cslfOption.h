@@ -53,6 +53,12 @@ struct EnumOption : NumberOption<int>
   std::array<const char*, Count> Names;
 };
 
+/// A text, for which some values are suggested: "first, second".
+struct TextOption : Option<const char*>
+{
+  const char* Suggestions;
+};
+
 /// The number to be used for a parameter of a vtkObject that was given: the nearest of its range,
 /// or the present one if it is no number. If that is another one than given, the object warns.
 template <typename T>

@@ -64,6 +64,11 @@ foreach (command IN LISTS commands)
   string(STRIP "${command}" command)
   expect("\n.B ${command}\n")
 endforeach ()
+foreach (file IN ITEMS bash-completion/completions/cslf zsh/vendor-completions/_cslf
+    fish/vendor_completions.d/cslf.fish)
+  file(READ "${prefix}/share/${file}" output)
+  expect("evaluate-texels")
+endforeach ()
 run("${CMAKE_COMMAND}" -E env --unset=LD_LIBRARY_PATH "${prefix}/bin/cslf" sample cornell-box
   -M 2 -N 16 --spp 1 -o box.vti)
 if (PYTHON)

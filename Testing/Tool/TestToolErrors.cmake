@@ -35,7 +35,7 @@ cslf_fail("nowhere.vti" "" evaluate-texels nowhere.vti cornell-box)
 cslf_fail("text.vti|XML|parse" "x" encode text.vti -o x.mp4)
 cslf_fail("not a light field" "" info text.txt)
 cslf_fail("other" "" info other)
-cslf_fail("not a PNG" "" compare text.png text.png)
+cslf_fail("not PNG" "" compare text.png text.png)
 cslf_fail("no file" "" compare nowhere.png text.png)
 # More strings than are announced, which VTK would write beyond the array's end.
 string(REPEAT "65 0 " 1000 strings)
@@ -72,7 +72,8 @@ cslf_fail("cannot make the folder nowhere" "x" sample cornell-box -o nowhere/x $
 cslf_fail("/proc/x.mp4 was not written" "x" sample cornell-box -o /proc/x.mp4 ${tiny})
 cslf_fail("Cannot write" "x" trace cornell-box -o nowhere/x.png --size 8 8 --spp 1)
 cslf_fail("Cannot write nowhere/x.obj" "x" export cornell-box -o nowhere/x.obj)
-cslf_fail("as .png" "x" trace cornell-box -o x.jpg --size 8 8 --spp 1)
+cslf_fail("as .png" "x" trace cornell-box -o x.bmp --size 8 8 --spp 1)
+cslf_fail("pink is no colour" "x" trace cornell-box -o x.png --background shockingpink)
 cslf_fail("as .png" "x" render text.vti -o x.vti)
 cslf_run(export cornell-box -o own.obj)
 configure_file("${DIRECTORY}/own.obj" "${DIRECTORY}/own.png" COPYONLY)
@@ -262,7 +263,7 @@ file(REMOVE "${DIRECTORY}/gap/000003.Depth.png")
 foreach (damaged IN ITEMS cut.mp4 gap)
   cslf_end(2 "${damaged} is damaged" "x" decode ${damaged} -o x)
   cslf_end(2 "${damaged} is damaged" "x" encode ${damaged} -o x.mp4)
-  cslf_end(2 "${damaged} is damaged" "x" resample ${damaged} -o x.vti)
+  cslf_end(2 "${damaged} is damaged" "x" resample ${damaged} -o x.vti --viewpoint-stride 2)
   cslf_end(2 "${damaged} is damaged" "" compare ${damaged} ${damaged})
   cslf_end(2 "${damaged} is damaged" "" evaluate-texels ${damaged} cornell-box)
   if (DEFINED ENV{DISPLAY})
@@ -303,12 +304,54 @@ cslf_fail("same" "" encode whole.mp4 -o whole.mp4)
 cslf_fail("encode writes" "x" encode whole.mp4 -o x.vti)
 cslf_fail("differ" "x" render whole.mp4 -o x.png --position 1 2 3 --focal-point 1 2 3)
 
-# Without a display.
+# Without a display, where VTK needs one: a server is started, or one line says what is missing. The
+# server ends with the tool, also if that is killed.
 execute_process(
-  COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY "${CSLF}" render whole.mp4 -o x.png
+  COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY PATH=/nowhere "${CSLF}" render whole.mp4 -o x.png
   WORKING_DIRECTORY "${DIRECTORY}"
   RESULT_VARIABLE result
   ERROR_VARIABLE error)
-if (NOT result STREQUAL "0" AND NOT error MATCHES "^cslf: error: [^\n]*DISPLAY[^\n]*\n$")
-  message(FATAL_ERROR "Without a display, cslf render ended with ${result}: ${error}")
+find_program(found_server Xvfb)
+if (NOT result STREQUAL "0")
+  if (NOT error MATCHES "^cslf: error: [^\n]*DISPLAY[^\n]*Xvfb[^\n]*\n$")
+    message(FATAL_ERROR "Without a display, cslf render ended with ${result}: ${error}")
+  endif ()
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY "${CSLF}" view whole.mp4
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    ERROR_VARIABLE error)
+  if (result STREQUAL "0" OR NOT error MATCHES "^cslf: error: A window needs a display[^\n]*\n$")
+    message(FATAL_ERROR "Without a display, cslf view ended with ${result}: ${error}")
+  endif ()
+endif ()
+if (NOT result STREQUAL "0" AND found_server)
+  file(MAKE_DIRECTORY "${DIRECTORY}/bin")
+  file(WRITE "${DIRECTORY}/bin/Xvfb" "#!/bin/sh\necho $$ > server\nexec '${found_server}' \"$@\"\n")
+  file(CHMOD "${DIRECTORY}/bin/Xvfb" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  execute_process(
+    COMMAND sh -c "unset DISPLAY; PATH=\"$PWD/bin:$PATH\"
+      # A process that nobody waits for has ended, too, but has no command any more.
+      isGone() {
+        for second in 1 2 3 4 5 6 7 8 9; do
+          test -n \"$(cat /proc/$(cat server)/cmdline 2> log | tr -d '\\0')\" || return 0; sleep 1
+        done
+        echo The server is left. >&2; return 1
+      }
+      '${CSLF}' render whole.mp4 -o virtual.png && isGone && test -s virtual.png || exit 1
+      rm server
+      '${CSLF}' render whole.mp4 --path orbit --frames 100000 -o killed &
+      while ! test -d killed.partial/*/new; do kill -0 $! || exit 2; sleep 0.1; done
+      test -s server || exit 3
+      kill -KILL $!
+      isGone"
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0")
+    message(FATAL_ERROR "Drawing with a server of its own ended with ${result}: ${error}")
+  endif ()
+  cslf_run(render whole.mp4 -o real.png)
+  cslf_run(compare virtual.png real.png --json)
+  expect_json_at_least(50 psnr)
 endif ()

@@ -101,8 +101,23 @@ cslf_fail("A folder has no place for the geometry" "nowhere"
 cslf_run(encode folder -o made.mp4 --preset ultrafast --geometry-triangles 5000)
 cslf_run(info made.mp4 --json)
 expect_json(geometry parts 0 name)
-cslf_run(resample plain.vti -o still.vti)
+cslf_fail("Nothing would change" "still" resample plain.vti -o still.vti)
+cslf_run(resample plain.vti -o still.vti --resolution-divisor 2)
 expect_file(still.geometry.vtp OFF)
+
+# It may be read by those only who may read the field.
+if (CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
+  file(WRITE "${DIRECTORY}/private.vti" "")
+  file(CHMOD "${DIRECTORY}/private.vti" PERMISSIONS OWNER_READ OWNER_WRITE)
+  cslf_run(sample cornell-box -M 2 -N 16 --spp 1 --max-depth 1 --integrator path -o private.vti)
+  execute_process(
+    COMMAND stat -c %a private.vti private.geometry.vtp
+    WORKING_DIRECTORY "${DIRECTORY}"
+    OUTPUT_VARIABLE modes)
+  if (NOT modes STREQUAL "600\n600\n")
+    message(FATAL_ERROR "The modes of a private field and of its geometry are ${modes}.")
+  endif ()
+endif ()
 
 # Geometry of another scene is not used.
 file(COPY_FILE "${DIRECTORY}/box.geometry.vtp" "${DIRECTORY}/pipes.geometry.vtp")

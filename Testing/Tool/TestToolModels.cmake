@@ -4,7 +4,7 @@
 # The numbers, colours and materials of OBJ and STL files.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-set(camera --size 32 24 --max-depth 1 --position 0 0 4 --focal-point 0 0 0)
+set(camera --background black --size 32 24 --max-depth 1 --position 0 0 4 --focal-point 0 0 0)
 set(view ${camera} --spp 16)
 set(points "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n")
 set(faces "f 1 2 3\nf 1 3 4\n")
@@ -57,6 +57,30 @@ foreach (color IN ITEMS "0.8 0.4 0.2 1" "204 102 51")
   cslf_run(trace colors.obj -o colors.png ${view})
   expect_picture(colors --base-color 0.8 0.4 0.2)
 endforeach ()
+
+# ZBrush's colours of vertices, after a mask. Others than the vertices need are named.
+file(WRITE "${DIRECTORY}/painted.obj"
+  "#Auto scale\n${points}#MRGB ffcc6633ffcc6633ffcc6633\n#MRGB ffcc6633\n${faces}")
+cslf_run(trace painted.obj -o painted.png ${view})
+expect_picture(painted --base-color 0.8 0.4 0.2)
+foreach (paint IN ITEMS ffcc6633 ffcc6633ffcc6633ffcc6633ffcc66 ffcc6633xxcc6633ffcc6633ffcc6633)
+  file(WRITE "${DIRECTORY}/painted.obj" "${points}#MRGB ${paint}\n${faces}")
+  cslf_warn(1 "#MRGB that does not fit" trace painted.obj -o painted.png ${view})
+endforeach ()
+
+# Comments after names, names with a number sign, quotes, and colours above 1.
+file(WRITE "${DIRECTORY}/names.mtl" "newmtl red # as walls\nKd 0.8 0.4 0.2
+newmtl Material #2\nKd 0.8 0.4 0.2\nnewmtl Material #3\nKd 1.5 1 0.5
+map_Kd \"one colour.png\"\n")
+foreach (name IN ITEMS "red" "red # once more" "Material #2")
+  file(WRITE "${DIRECTORY}/named.obj" "mtllib \"names.mtl\"\n${points}usemtl ${name}\n${faces}")
+  cslf_warn(1 "names.mtl were ignored: Kd above 1, which counts as 1"
+    trace named.obj -o named.png ${view})
+  expect_picture(named --base-color 0.8 0.4 0.2)
+endforeach ()
+file(WRITE "${DIRECTORY}/named.obj" "mtllib names.mtl\n${points}vt 0 0\nusemtl Material #3
+f 1/1 2/1 3/1\n")
+cslf_warn(2 "The texture one colour.png is missing" trace named.obj -o named.png ${view})
 
 # Materials: colour, emission and transparency.
 file(WRITE "${DIRECTORY}/all.mtl" "# materials

@@ -69,6 +69,36 @@ endfunction ()
 # A part damaged by hand is coded again.
 set(slow cornell-box -M 5 -N 32 --spp 8 --max-depth 3 --preset ultrafast)
 cslf_run(sample ${slow} -o slow.mp4)
+
+# Interrupted by Ctrl+C. The next run tells what it resumes.
+execute_process(
+  COMMAND bash -c "set -m; '${CSLF}' \"$@\" -o cut.mp4 &
+    while kill -0 $! && ! [ -e cut.mp4.partial/group-3-color.part ]; do sleep 0.01; done
+    kill -INT $!; wait $!" bash sample ${slow}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  ERROR_VARIABLE error)
+if (NOT result STREQUAL "130" OR NOT error MATCHES "cslf: interrupted: rerun to resume\n")
+  message(FATAL_ERROR "An interrupted run ended with ${result}: ${error}")
+endif ()
+# In a terminal: the phase, but no time before it is known.
+find_program(script script)
+if (script AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
+  list(JOIN slow " " line)
+  execute_process(
+    COMMAND "${script}" -q -e -c "'${CSLF}' sample ${line} -o cut.mp4 --json" /dev/null
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output)
+  if (NOT result STREQUAL "0" OR output MATCHES "  0 %, " OR NOT output MATCHES "[A-Z][a-z ]+ \\[#* +\\] +[0-9]+ %" OR
+      NOT output MATCHES "cslf: resuming an interrupted run: [1-9][0-9]* of [1-9][0-9]* groups")
+    message(FATAL_ERROR "In a terminal, the rerun ended with ${result}: ${output}")
+  endif ()
+  string(REGEX MATCH "{\r?\n.*}" output "${output}")
+  string(REPLACE "\r" "" output "${output}")
+  expect_json_at_least(1 resumed_groups)
+endif ()
+file(REMOVE_RECURSE "${DIRECTORY}/cut.mp4" "${DIRECTORY}/cut.mp4.partial")
 cslf_kill(killed.mp4 sample ${slow})
 file(APPEND "${DIRECTORY}/killed.mp4.partial/group-1-color.part" "x")
 file(WRITE "${DIRECTORY}/killed.mp4.partial/group-2-color.part" "")

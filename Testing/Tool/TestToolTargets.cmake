@@ -19,7 +19,9 @@ endfunction ()
 set(coding --preset ultrafast --json)
 cslf_run(encode box.vti -o box.mp4 ${coding} --target-ratio 80)
 expect_json_between(77.6 82.4 ratio)
-cslf_run(encode box.vti -o box.mkv ${coding} --target-size 25k)
+cslf_run(encode box.vti -o box.mkv ${coding} --target-size 25kB)
+expect_json_between(24250 25750 bytes)
+cslf_run(encode box.vti -o box.mkv ${coding} --target-size 24.4140625KiB)
 expect_json_between(24250 25750 bytes)
 # With depth of its own, the file has the field's colours at silhouettes, too.
 cslf_run(encode box.vti -o box.mp4 ${coding} --target-psnr 36 --no-depth-from-geometry)
@@ -42,6 +44,7 @@ cslf_run(evaluate keys.mp4 cornell-box --views 1 --size 32 --spp 256 --max-depth
 expect_json_at_least(10 lookups depth psnr)
 
 cslf_fail("cannot be met" x encode box.vti -o x.mp4 --target-size 1)
+cslf_fail("xb unit not recognized" x encode box.vti -o x.mp4 --target-size 5XB)
 cslf_fail("cannot be met" x encode box.vti -o x.mp4 --target-psnr 99)
 cslf_fail("no key views reach" x
   encode box.vti -o x.mp4 --key-views auto --target-novel-psnr 99)

@@ -106,7 +106,31 @@ expect_json(1000 texels)
 expect_json_at_least(25 psnr)
 expect_json_at_least(45 noise_floor)
 
-cslf_run(view box.vti --close-after 0.5 --size 96 96)
+cslf_run(view box.vti --close-after 0.5 --size 96 96 --record window.gif)
+file(SIZE "${DIRECTORY}/window.gif" bytes)
+if (bytes LESS 1000)
+  message(FATAL_ERROR "The window's record has ${bytes} bytes.")
+endif ()
+
+# The background is that of all commands, also beside the path-traced scene and in cells without a
+# pane: from far away nothing else is seen but labels.
+set(far --position 0 0 100 --size 800 400)
+foreach (background IN ITEMS "" "--background;white")
+  cslf_run(trace cornell-box -o traced.png --spp 1 ${far} ${background})
+  cslf_run(render box.vti -o rendered.png ${far} ${background})
+  cslf_run(view box.vti cornell-box --keys st --truth-samples 1 ${far} ${background}
+    --screenshot viewed.png)
+  cslf_run(compare traced.png rendered.png --json)
+  expect_json_at_least(40 psnr)
+  cslf_run(compare traced.png viewed.png --json)
+  expect_json_at_least(12 psnr)
+endforeach ()
+
+# A scene is viewed through a preview.
+cslf_run(view cornell-box ${light} --size 400 400 --screenshot preview.png --keys i)
+cslf_run(trace cornell-box ${light} --size 400 400 --spp 16 -o traced.png)
+cslf_run(compare preview.png traced.png --json)
+expect_json_at_least(17 psnr)
 
 # The viewer off screen: all lookups beside the reference, with everything that keys switch on.
 cslf_run(view box.vti cornell-box ${light} --keys stoavh --truth-samples 32 --size 288 192

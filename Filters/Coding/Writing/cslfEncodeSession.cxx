@@ -283,6 +283,10 @@ bool EncodeSession::OpenParts()
   {
     this->Job.Warn(this->Job.FileName + ": " + warning);
   }
+  if (this->Job.Resume)
+  {
+    this->Job.Resume(this->Writer->CountStored(), this->Writer->GetGroupCount());
+  }
   RateTarget target = this->Job.Settings.Target;
   target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
   this->Control.emplace(target, this->Writer->GetRateField());

@@ -43,6 +43,9 @@ struct EncodeJob
   std::function<bool(double)> Progress; ///< gets numbers from 0 to 1; false stops the work
   std::function<void(const std::string&)> Warn;
 
+  /// Gets how many groups an interrupted run has left, and how many there are. May be empty.
+  std::function<void(int, int)> Resume;
+
   /// Ends the cooperation of the ranks' inputs in making their first viewpoint. Gets whether this
   /// rank's input has it, and returns whether no other rank has failed. May be empty.
   std::function<bool(bool)> Synchronize;
