@@ -16,10 +16,10 @@
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
+#include <vtkDataSetSurfaceFilter.h>
 #include <vtkFieldData.h>
 #include <vtkGenericCell.h>
 #include <vtkGenericDataObjectReader.h>
-#include <vtkGeometryFilter.h>
 #include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -250,7 +250,7 @@ public:
     {
       copy = KeepSoundCells(grid, this->Removed);
     }
-    vtkNew<vtkGeometryFilter> filter;
+    vtkNew<vtkDataSetSurfaceFilter> filter;
     filter->SetInputData(copy);
     filter->Update();
     vtkSmartPointer<vtkPolyData> surface = filter->GetOutput();

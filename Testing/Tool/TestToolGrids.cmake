@@ -94,6 +94,21 @@ string(REPLACE " Scalars=\"Heat\"" "" text "${text}")
 file(WRITE "${DIRECTORY}/grey.vtu" "${text}")
 cslf_warn(1 "without colours: no scalars are active.\n$" trace grey.vtu -o grey.png ${view})
 
+# A tetrahedron covers half of the square of a wedge, which is shown all the same, as by clipped grids.
+write_xml(half.vtu UnstructuredGrid "" "NumberOfPoints=\"7\" NumberOfCells=\"2\""
+  "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">
+0 0 0 2 0 0 1 1 0 0 0 2 2 0 2 1 1 2 0.5 -1 0.5</DataArray></Points>
+<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5 0 1 3 6</DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">6 10</DataArray>
+<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">13 10</DataArray></Cells>")
+file(WRITE "${DIRECTORY}/half.obj" "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 0 0 2\nv 2 0 2\nv 1 1 2\nv 0.5 -1 0.5
+f 1 2 3\nf 4 6 5\nf 1 4 5 2\nf 2 5 6 3\nf 3 6 4 1\nf 1 2 7\nf 2 4 7\nf 4 1 7\n")
+set(below --position 4 -6 4 --focal-point 1 0 1)
+cslf_warn(1 "without colours: no scalars are active.\n$" trace half.vtu -o half.png ${view} ${below})
+cslf_run(trace half.obj -o whole.png ${view} ${below})
+cslf_run(compare half.png whole.png --json)
+expect_json_at_least(32 psnr)
+
 # Of several time steps, the first is shown, and its missing files are an error.
 file(WRITE "${DIRECTORY}/steps.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
 <DataSet timestep=\"10\" part=\"0\" file=\"nowhere.vtu\"/><DataSet timestep=\"9.5\" part=\"0\" file=\"cube.vtu\"/>
