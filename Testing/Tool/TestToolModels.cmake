@@ -4,7 +4,7 @@
 # The numbers, colours and materials of OBJ and STL files.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-set(camera --background black --size 32 24 --max-depth 1 --position 0 0 4 --focal-point 0 0 0)
+set(camera --light white --background black --size 32 24 --max-depth 1 --position 0 0 4 --focal-point 0 0 0)
 set(view ${camera} --spp 16)
 set(points "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n")
 set(faces "f 1 2 3\nf 1 3 4\n")

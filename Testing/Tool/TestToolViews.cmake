@@ -130,7 +130,7 @@ endforeach ()
 cslf_run(view cornell-box ${light} --size 400 400 --screenshot preview.png --keys i)
 cslf_run(trace cornell-box ${light} --size 400 400 --spp 16 -o traced.png)
 cslf_run(compare preview.png traced.png --json)
-expect_json_at_least(17 psnr)
+expect_json_at_least(22 psnr)
 
 # The viewer off screen: all lookups beside the reference, with everything that keys switch on.
 cslf_run(view box.vti cornell-box ${light} --keys stoavh --truth-samples 32 --size 288 192
