@@ -18,9 +18,15 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <meshoptimizer.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -55,6 +61,74 @@ SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
   glm::dvec3 upper(VTK_DOUBLE_MIN);
   single.AddTo(lower, upper, single.GetLargestRadius());
   return { 0.5 * (lower + upper), 0.5 * glm::length(upper - lower) };
+}
+
+/// The corners of a triangle, the same ones for triangles with the same front at the same place.
+std::array<glm::vec3, 3> GetPlace(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  std::array<glm::vec3, 3> place;
+  for (int i = 0; i < 3; ++i)
+  {
+    place[i] = mesh.Vertices[triangle[i]] + 0.0f; // one of the two zeros
+  }
+  const auto first = std::min_element(place.begin(), place.end(),
+    [](const glm::vec3& a, const glm::vec3& b)
+    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  std::rotate(place.begin(), first, place.end());
+  return place;
+}
+
+template <typename Value>
+void KeepSome(const std::vector<char>& isKept, std::vector<Value>& values)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (isKept[i] != 0)
+    {
+      values[count++] = values[i];
+    }
+  }
+  values.resize(count);
+}
+
+/// Removes opaque triangles that a later one covers exactly, as in pictures of VTK. Tubes around
+/// stream lines that stand still have thousands at one place, and all rays would meet all of them.
+void DropCovered(Mesh& mesh)
+{
+  if (mesh.Triangles.empty() || mesh.CanBePassed())
+  {
+    return;
+  }
+  const std::size_t count = mesh.Triangles.size();
+  std::vector<std::array<glm::vec3, 3>> places;
+  places.reserve(count);
+  for (const glm::uvec3& triangle : mesh.Triangles)
+  {
+    places.push_back(GetPlace(mesh, triangle));
+  }
+  std::vector<unsigned int> numbers(count);
+  const std::size_t different = meshopt_generateVertexRemap(
+    numbers.data(), nullptr, count, places.data(), count, sizeof(places.front()));
+  if (different == count)
+  {
+    return;
+  }
+  std::vector<char> isCovered(different, 0);
+  std::vector<char> isKept(count, 0);
+  for (std::size_t i = count; i-- > 0;)
+  {
+    isKept[i] = std::exchange(isCovered[numbers[i]], 1) == 0 ? 1 : 0;
+  }
+  KeepSome(isKept, mesh.Triangles);
+  if (mesh.Coloring == Mesh::ColorsOf::Triangles)
+  {
+    KeepSome(isKept, mesh.Colors);
+  }
+  if (mesh.EmissionsOf == Mesh::ColorsOf::Triangles)
+  {
+    KeepSome(isKept, mesh.Emissions);
+  }
 }
 
 /// Makes the mesh of one block.
@@ -97,6 +171,7 @@ public:
       this->Result.Textures.BaseColor = this->Table.Colors;
       this->Result.Appearance += this->Table.Name;
     }
+    DropCovered(this->Result);
     return std::move(this->Result);
   }
 
