@@ -3,6 +3,7 @@
 #include "cslfMeshMaker.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfTriangles.h"
 #include "cslfTubeDivision.h"
 #include "vtkCSLFMaterial.h"
@@ -18,13 +19,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <meshoptimizer.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -63,10 +65,28 @@ SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
   return { 0.5 * (lower + upper), 0.5 * glm::length(upper - lower) };
 }
 
-/// The corners of a triangle, the same ones for triangles with the same front at the same place.
-std::array<glm::vec3, 3> GetPlace(const Mesh& mesh, const glm::uvec3& triangle)
+using TrianglePlace = std::array<glm::vec3, 3>;
+
+struct PlaceHash
 {
-  std::array<glm::vec3, 3> place;
+  std::size_t operator()(const TrianglePlace& place) const
+  {
+    std::uint64_t hash = 0;
+    for (const glm::vec3& corner : place)
+    {
+      std::uint32_t bits[3];
+      static_assert(sizeof(bits) == sizeof(corner), "three floats");
+      std::memcpy(bits, &corner, sizeof(bits));
+      hash = MixBits(MixBits(hash, bits[0]), std::uint64_t(bits[1]) << 32 | bits[2]);
+    }
+    return hash;
+  }
+};
+
+/// The corners of a triangle, the same ones for triangles with the same front at the same place.
+TrianglePlace GetPlace(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  TrianglePlace place;
   for (int i = 0; i < 3; ++i)
   {
     place[i] = mesh.Vertices[triangle[i]] + 0.0f; // one of the two zeros
@@ -101,24 +121,15 @@ void DropCovered(Mesh& mesh)
     return;
   }
   const std::size_t count = mesh.Triangles.size();
-  std::vector<std::array<glm::vec3, 3>> places;
-  places.reserve(count);
-  for (const glm::uvec3& triangle : mesh.Triangles)
-  {
-    places.push_back(GetPlace(mesh, triangle));
-  }
-  std::vector<unsigned int> numbers(count);
-  const std::size_t different = meshopt_generateVertexRemap(
-    numbers.data(), nullptr, count, places.data(), count, sizeof(places.front()));
-  if (different == count)
-  {
-    return;
-  }
-  std::vector<char> isCovered(different, 0);
+  std::unordered_set<TrianglePlace, PlaceHash> places(count);
   std::vector<char> isKept(count, 0);
   for (std::size_t i = count; i-- > 0;)
   {
-    isKept[i] = std::exchange(isCovered[numbers[i]], 1) == 0 ? 1 : 0;
+    isKept[i] = places.insert(GetPlace(mesh, mesh.Triangles[i])).second ? 1 : 0;
+  }
+  if (places.size() == count)
+  {
+    return;
   }
   KeepSome(isKept, mesh.Triangles);
   if (mesh.Coloring == Mesh::ColorsOf::Triangles)
