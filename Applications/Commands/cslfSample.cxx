@@ -18,7 +18,6 @@
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
 #endif
-#include "Options/cslfQualityPresets.h"
 #include "Options/cslfTableOptions.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
@@ -418,16 +417,9 @@ void AddSample(CLI::App& app, Command& chosen)
   AddField(*command, *options);
   options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
-  CLI::Option* coding = command->get_option(cslf::options::Preset.Flag);
-  coding->description(coding->get_description() + "; if it is not given, ultrafast for a preview");
   command->callback(
-    [options, coding, &chosen]
+    [options, &chosen]
     {
-      const char* preset = cslf::QualityPresets[options->Integrator.GetQuality()].Coding;
-      if (preset && coding->count() == 0)
-      {
-        options->Coding.Preset = preset;
-      }
       const bool suggests = options->SuggestForPSNR > 0.0 || options->SuggestForSize > 0.0;
       if (suggests && !options->Estimate)
       {

@@ -35,9 +35,6 @@ public:
   void AddTo(CLI::App& command);
   void Apply(vtkCSLFPathTracer* tracer) const;
 
-  /// Of vtkCSLFPathTracer::Qualities.
-  int GetQuality() const { return this->Quality; }
-
   /// The cost of the tracer's last update.
   static nlohmann::json GetCost(vtkCSLFPathTracer* tracer);
 

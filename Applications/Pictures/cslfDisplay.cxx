@@ -67,34 +67,31 @@ private:
   File Stored; ///< has no name, so that nothing is left when the process is killed
 };
 
+/// Displays below are those of people and of xvfb-run. Programs that look for graphics cards, such
+/// as MPI's, try to open them, and complain if they may not.
+constexpr int FirstDisplay = 200;
+constexpr int LastDisplay = 299;
+
+/// The exit code of a child that found no server.
+constexpr int NotFound = 127;
+
 /// Xvfb as a child process. It ends with this one, however that ends.
 class VirtualServer
 {
 public:
   VirtualServer()
   {
-    int ends[2];
-    if (::pipe(ends) != 0)
+    int display = FirstDisplay;
+    while (!this->Start(display))
     {
-      throw Failure("Drawing needs a pipe, which cannot be made.");
-    }
-    const std::string number = std::to_string(ends[1]);
-    const std::string key = "/dev/fd/" + std::to_string(this->Key.GetFile());
-    const pid_t parent = ::getpid();
-    this->Process = ::fork();
-    if (this->Process == 0)
-    {
-      Become(parent, number.c_str(), key.c_str());
-    }
-    ::close(ends[1]);
-    const File answer(::fdopen(ends[0], "r"), std::fclose);
-    int display = -1;
-    // The server writes its number when it is ready. Without a server there is only the end.
-    if (this->Process < 0 || std::fscanf(answer.get(), "%d", &display) != 1)
-    {
-      this->Stop();
-      throw Failure("Drawing needs an X server, and there is no DISPLAY. It starts Xvfb by itself "
-                    "where that is installed (on Debian, the package xvfb).");
+      // Another server may have the display.
+      const bool isMissing = this->Process < 0 || this->Stop() == NotFound;
+      if (isMissing || ++display > LastDisplay)
+      {
+        throw Failure(
+          "Drawing needs an X server, and there is no DISPLAY. It starts Xvfb by itself "
+          "where that is installed (on Debian, the package xvfb).");
+      }
     }
     ::setenv("DISPLAY", (":" + std::to_string(display)).c_str(), 1);
   }
@@ -104,8 +101,33 @@ public:
   VirtualServer& operator=(const VirtualServer&) = delete;
 
 private:
+  /// Starts the child, and waits until the server is ready. Returns false if it is none.
+  bool Start(int display)
+  {
+    int ends[2];
+    if (::pipe(ends) != 0)
+    {
+      throw Failure("Drawing needs a pipe, which cannot be made.");
+    }
+    const std::string name = ":" + std::to_string(display);
+    const std::string number = std::to_string(ends[1]);
+    const std::string key = "/dev/fd/" + std::to_string(this->Key.GetFile());
+    const pid_t parent = ::getpid();
+    this->Process = ::fork();
+    if (this->Process == 0)
+    {
+      Become(parent, name.c_str(), number.c_str(), key.c_str());
+    }
+    ::close(ends[1]);
+    const File answer(::fdopen(ends[0], "r"), std::fclose);
+    // The server writes its number when it is ready. Without a server there is only the end.
+    int written = -1;
+    return this->Process > 0 && std::fscanf(answer.get(), "%d", &written) == 1;
+  }
+
   /// In the child, which may only call what signals may call.
-  [[noreturn]] static void Become(pid_t parent, const char* number, const char* key)
+  [[noreturn]] static void Become(
+    pid_t parent, const char* display, const char* number, const char* key)
   {
     // Ctrl+C is for the parent.
     ::setpgid(0, 0);
@@ -123,18 +145,22 @@ private:
     ::dup2(nothing, STDOUT_FILENO);
     ::dup2(nothing, STDERR_FILENO);
     // With -terminate, the server also ends when its last client is gone.
-    ::execlp("Xvfb", "Xvfb", "-displayfd", number, "-auth", key, "-screen", "0", Screen,
+    ::execlp("Xvfb", "Xvfb", display, "-displayfd", number, "-auth", key, "-screen", "0", Screen,
       "-nolisten", "tcp", "-terminate", nullptr);
-    ::_exit(EXIT_FAILURE);
+    ::_exit(NotFound);
   }
 
-  void Stop() const
+  /// Ends the child and returns its exit code, or -1 if it has none.
+  int Stop()
   {
+    int status = -1;
     if (this->Process > 0)
     {
       ::kill(this->Process, SIGTERM);
-      ::waitpid(this->Process, nullptr, 0);
+      ::waitpid(this->Process, &status, 0);
+      this->Process = -1;
     }
+    return status != -1 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
   Cookie Key;

@@ -5,6 +5,7 @@
 import os
 import pathlib
 import shutil
+import tempfile
 
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
@@ -64,7 +65,8 @@ class LightField:
             if kind != pathlib.PurePath(self.file_name).suffix.lower():
                 raise ValueError(f"The field is in {self.file_name}: its copy must have the same "
                                  "extension.")
-            shutil.copyfile(self.file_name, name)
+            check_folder(name)
+            copy_file(self.file_name, name)
         elif kind in VIDEOS:
             write(self.sampler, name, None, None)
         elif kind == ".vti":
@@ -77,6 +79,14 @@ class LightField:
                                  f"{name} was not written.")
         else:
             raise ValueError(f"{name} is none of {', '.join((*VIDEOS, '.vti'))}.")
+
+
+def copy_file(source, name):
+    """Copies a file. The copy appears when it is whole."""
+    with tempfile.TemporaryDirectory(dir=os.path.dirname(name) or ".") as folder:
+        part = os.path.join(folder, os.path.basename(name))
+        shutil.copyfile(source, part)
+        os.replace(part, name)
 
 
 def check_folder(name):

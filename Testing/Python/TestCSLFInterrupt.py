@@ -57,11 +57,11 @@ class Sender(threading.Thread):
         os.kill(os.getpid(), signal.SIGINT)
 
 
-def press_once(shares):
+def press_once(shares, minimum=0.3):
     """An observer that gets Ctrl-C while it is at work, when the share is reached."""
     def press(algorithm, _event):
         shares.append(algorithm.GetProgress())
-        if shares[-1] > 0.3 and not getattr(press, "is_pressed", False):
+        if shares[-1] > minimum and not getattr(press, "is_pressed", False):
             press.is_pressed = True
             signal.raise_signal(signal.SIGINT)
             # KeyboardInterrupt would be raised here.
@@ -184,7 +184,8 @@ class TestCSLFInterrupt(unittest.TestCase):
         whole, resumed = self.get_name("whole.mp4"), self.get_name("resumed.mp4")
         self.assertEqual(make_encoder(whole, sampler).Write(), 1)
         encoder = make_encoder(resumed, sampler)
-        tag = encoder.AddObserver("ProgressEvent", press_once([]))
+        # Groups of viewpoints are stored then.
+        tag = encoder.AddObserver("ProgressEvent", press_once([], 0.6))
         with self.assertRaises(KeyboardInterrupt):
             encoder.Write()
         encoder.RemoveObserver(tag)
@@ -204,7 +205,7 @@ class TestCSLFInterrupt(unittest.TestCase):
 
             def press(_phase, share):
                 print(share, file=nothing)
-                if share > 0.3 and not pressed:
+                if share > 0.6 and not pressed:
                     pressed.append(share)
                     signal.raise_signal(signal.SIGINT)
 

@@ -74,7 +74,7 @@ cslf_fail("--position: Value 1e999 is not a finite number" "none"
 
 # A file without an extension is not a folder.
 file(WRITE "${DIRECTORY}/plain" "no light field\n")
-foreach (arguments IN ITEMS "info plain" "decode plain -o none" "resample plain -o none.vti"
+foreach (arguments IN ITEMS "info plain" "decode plain -o none" "resample plain -o none.vti --viewpoint-stride 2"
          "compare plain field.vti" "evaluate-texels plain cornell-box")
   separate_arguments(arguments)
   cslf_fail("plain is a file without an extension" "none" ${arguments})

@@ -39,7 +39,6 @@ endif ()
 cslf_fail("No field reaches" "" sample ${scene} --estimate --suggest-for-novel-psnr 59)
 cslf_fail("need a video" "" sample ${scene} --estimate --suggest-for-novel-psnr 20 -o x.vti)
 cslf_fail("estimate" "" sample ${scene} --suggest-for-novel-psnr 30 -o x.mp4)
-cslf_fail("output" "" sample ${scene})
 
 # A budget's samples are the same as if they were given; a restarted run keeps its own.
 cslf_fail("single sample" "x" sample ${scene} --time-budget 0.0001 -o x.mp4)
