@@ -9,6 +9,7 @@
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFRadianceCacheOptions.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCylinderSource.h>
 #include <vtkDiskSource.h>
 #include <vtkMath.h>
@@ -178,6 +179,24 @@ void TestSheets()
   }
   CheckRefined(sheets[0], sheets[1], 0.6);
 }
+
+/// Opaque triangles at the same place cost nothing, however many: those of tubes around lines that
+/// stand still.
+void TestCopies()
+{
+  vtkNew<vtkCylinderSource> cylinder;
+  cylinder->SetResolution(16);
+  vtkNew<vtkAppendPolyData> copies;
+  for (int i = 0; i < 20; ++i)
+  {
+    copies->AddInputConnection(cylinder->GetOutputPort());
+  }
+  copies->Update();
+  const Cost one = Measure(cylinder->GetOutput(), 2.0);
+  const Cost many = Measure(copies->GetOutput(), 2.0);
+  std::cout << "rays " << one.Rays << ", " << many.Rays << "\n";
+  CSLF_CHECK(one.Rays == many.Rays && one.PSNR == many.PSNR);
+}
 }
 
 int TestCSLFSurfaceChart(int, char*[])
@@ -187,5 +206,6 @@ int TestCSLFSurfaceChart(int, char*[])
   TestCylinders();
   TestFans();
   TestSheets();
+  TestCopies();
   return cslf::testing::Result();
 }

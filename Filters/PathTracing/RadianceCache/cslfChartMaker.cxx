@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
@@ -36,6 +37,10 @@ constexpr std::size_t PointsOfChart = 4;
 
 // The least cosine between the normal of a chart and those of its triangles.
 constexpr float LeastCosine = 0.8f;
+
+// The most triangles at an edge among which neighbours are looked for: where thousands meet, each
+// would otherwise look at all others.
+constexpr std::ptrdiff_t MostAtEdge = 16;
 
 // The smallest cosine between shading normals of adjacent triangles. Those of small triangles are
 // not resolved.
@@ -191,10 +196,10 @@ public:
       if (!this->IsTaken[seed])
       {
         this->Grow(seed);
-        SurfaceChart chart = this->MakeChart();
-        if (this->IsUseful(chart))
+        std::vector<SurfaceChart::Member> members = this->MakeMembers();
+        if (this->IsUseful(members))
         {
-          charts.push_back(std::move(chart));
+          charts.emplace_back(this->Index, std::move(members), this->Settings.BrickSize);
         }
       }
     }
@@ -206,8 +211,8 @@ private:
     return this->Surface.Vertices[this->Surface.Triangles[facet.Triangle][corner]];
   }
 
-  /// Whether the chart has fewer points than its triangles, if these can share points at vertices.
-  bool IsUseful(const SurfaceChart& chart) const
+  /// Whether a chart has fewer points than its triangles, if these can share points at vertices.
+  bool IsUseful(const std::vector<SurfaceChart::Member>& members) const
   {
     std::unordered_set<std::uint32_t> shared;
     for (const std::uint32_t member : this->Frontier)
@@ -223,9 +228,9 @@ private:
         shared.insert(this->Clusters[corners[corner]]);
       }
     }
-    const std::size_t points =
-      std::size_t(chart.GetColumns() + 1) * static_cast<std::size_t>(chart.GetRows() + 1);
-    return PointsOfChart * points < shared.size();
+    const glm::ivec2 cells = SurfaceChart::FindRectangle(members, this->Settings.BrickSize).Cells;
+    return PointsOfChart * std::size_t(cells.x + 1) * static_cast<std::size_t>(cells.y + 1) <
+      shared.size();
   }
 
   void FindFacets(const std::uint8_t* sides)
@@ -305,7 +310,8 @@ private:
         auto other = std::lower_bound(this->Edges.begin(), this->Edges.end(), key,
           [](const MeshEdge& candidate, const MeshEdge& value)
           { return candidate.IsBefore(value); });
-        for (; other != this->Edges.end() && other->IsAlong(key); ++other)
+        const auto end = other + std::min(MostAtEdge, this->Edges.end() - other);
+        for (; other != end && other->IsAlong(key); ++other)
         {
           if (!this->IsTaken[other->Triangle] && this->IsSmooth(facet, edge, other->Triangle))
           {
@@ -416,8 +422,8 @@ private:
     return this->Heights.Add(corners);
   }
 
-  /// The chart of the members, turned so that its longest edge runs along a side.
-  SurfaceChart MakeChart()
+  /// The members of a chart, turned so that its longest edge runs along a side.
+  std::vector<SurfaceChart::Member> MakeMembers() const
   {
     glm::vec2 axis(1.0f, 0.0f);
     float longest = 0.0f;
@@ -448,7 +454,7 @@ private:
         corner = { corner.x * axis.x + corner.y * axis.y, corner.y * axis.x - corner.x * axis.y };
       }
     }
-    return SurfaceChart(this->Index, std::move(members), this->Settings.BrickSize);
+    return members;
   }
 
   const Mesh& Surface;

@@ -18,6 +18,10 @@ namespace
 // look-ups.
 constexpr float Touch = 1e-4f;
 
+// A triangle can count as overlapping a bin at up to the square root of 2 times that distance, and
+// this is wider by more than rounding.
+constexpr float RowMargin = 4.0f * Touch;
+
 // The smallest extent of a chart relative to the other one: a chart must have an area.
 constexpr float LeastAspect = 1e-6f;
 
@@ -123,14 +127,12 @@ struct SurfaceChart::Nearest
   float Distance2 = std::numeric_limits<float>::infinity();
 };
 
-SurfaceChart::SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize)
-  : Mesh(mesh)
-  , Members(std::move(members))
+SurfaceChart::Rectangle SurfaceChart::FindRectangle(
+  const std::vector<Member>& members, float cellSize)
 {
-  // Its rectangle is that of its triangles.
   glm::vec2 low(std::numeric_limits<float>::max());
   glm::vec2 high(std::numeric_limits<float>::lowest());
-  for (const Member& member : this->Members)
+  for (const Member& member : members)
   {
     for (const glm::vec2& corner : member.Corners)
     {
@@ -138,21 +140,31 @@ SurfaceChart::SurfaceChart(std::uint32_t mesh, std::vector<Member> members, floa
       high = glm::max(high, corner);
     }
   }
+  Rectangle result{ low, high - low, {} };
+  const float least = LeastAspect * std::max({ result.Size.x, result.Size.y, 1e-6f });
+  result.Size = glm::max(result.Size, glm::vec2(least));
+  const auto countCells = [cellSize](float size)
+  { return std::clamp(static_cast<int>(std::ceil(size / cellSize)), 1, MostCells); };
+  result.Cells = { countCells(result.Size.x), countCells(result.Size.y) };
+  return result;
+}
+
+SurfaceChart::SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize)
+  : Mesh(mesh)
+  , Members(std::move(members))
+{
+  const Rectangle rectangle = FindRectangle(this->Members, cellSize);
   for (Member& member : this->Members)
   {
     for (glm::vec2& corner : member.Corners)
     {
-      corner -= low;
+      corner -= rectangle.Low;
     }
   }
-  this->Size = high - low;
-  const float least = LeastAspect * std::max({ this->Size.x, this->Size.y, 1e-6f });
-  this->Size = glm::max(this->Size, glm::vec2(least));
-  const auto countCells = [cellSize](float size)
-  { return std::clamp(static_cast<int>(std::ceil(size / cellSize)), 1, MostCells); };
-  this->Columns = countCells(this->Size.x);
-  this->Rows = countCells(this->Size.y);
-  this->CellSize = this->Size / glm::vec2(this->Columns, this->Rows);
+  this->Size = rectangle.Size;
+  this->Columns = rectangle.Cells.x;
+  this->Rows = rectangle.Cells.y;
+  this->CellSize = this->Size / glm::vec2(rectangle.Cells);
   this->MakeBins();
 }
 
@@ -203,6 +215,45 @@ SurfaceChart::Box SurfaceChart::GetBins(const glm::vec2* points, int count) cons
   return { getBin(low - margin), getBin(high + margin) };
 }
 
+glm::ivec2 SurfaceChart::FindColumns(const Member& member, int row, const Box& box) const
+{
+  const float margin = RowMargin * std::max(this->CellSize.x, this->CellSize.y);
+  const float bottom = static_cast<float>(row) * this->BinSize.y - margin;
+  const float top = static_cast<float>(row + 1) * this->BinSize.y + margin;
+  float left = std::numeric_limits<float>::max();
+  float right = std::numeric_limits<float>::lowest();
+  for (int i = 0; i < 3; ++i)
+  {
+    glm::vec2 ends[2] = { member.Corners[i], member.Corners[(i + 1) % 3] };
+    if (ends[0].y > ends[1].y)
+    {
+      std::swap(ends[0], ends[1]);
+    }
+    if (ends[1].y < bottom || ends[0].y > top)
+    {
+      continue;
+    }
+    const float height = ends[1].y - ends[0].y;
+    for (int end = 0; end < 2; ++end)
+    {
+      const float cut = glm::clamp(ends[end].y, bottom, top);
+      const float at = cut == ends[end].y
+        ? ends[end].x
+        : glm::mix(ends[0].x, ends[1].x, glm::clamp((cut - ends[0].y) / height, 0.0f, 1.0f));
+      left = std::min(left, at);
+      right = std::max(right, at);
+    }
+  }
+  const auto getColumn = [&](float at)
+  {
+    return static_cast<int>(
+      std::floor(glm::clamp(at / this->BinSize.x, 0.0f, static_cast<float>(this->Bins.x - 1))));
+  };
+  return left <= right ? glm::ivec2(std::max(box.First.x, getColumn(left - margin)),
+                           std::min(box.Last.x, getColumn(right + margin)))
+                       : glm::ivec2(0, -1);
+}
+
 template <typename Visit>
 void SurfaceChart::VisitBins(const Member& member, const Visit& visit) const
 {
@@ -210,7 +261,10 @@ void SurfaceChart::VisitBins(const Member& member, const Visit& visit) const
   const bool isSmall = box.First == box.Last;
   for (int j = box.First.y; j <= box.Last.y; ++j)
   {
-    for (int i = box.First.x; i <= box.Last.x; ++i)
+    // Slivers meet few of the bins of their box.
+    const glm::ivec2 columns =
+      isSmall ? glm::ivec2(box.First.x, box.Last.x) : this->FindColumns(member, j, box);
+    for (int i = columns.x; i <= columns.y; ++i)
     {
       const glm::vec2 low = glm::vec2(i, j) * this->BinSize;
       const glm::vec2 high = low + this->BinSize;

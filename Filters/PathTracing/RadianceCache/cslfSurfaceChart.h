@@ -37,6 +37,17 @@ public:
   /// The largest number of cells along each side of a chart.
   static constexpr int MostCells = 256;
 
+  /// Where the members lie.
+  struct Rectangle
+  {
+    glm::vec2 Low;
+    glm::vec2 Size;   ///< not 0
+    glm::ivec2 Cells; ///< columns and rows
+  };
+
+  /// The rectangle of a chart of these members, which is found sooner than the chart is made.
+  static Rectangle FindRectangle(const std::vector<Member>& members, float cellSize);
+
   /// A chart of at least one triangle of a mesh. The members' corners may have any offset. Cells
   /// are at most as wide as given, unless the chart is wider than MostCells of them.
   SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize);
@@ -74,6 +85,8 @@ private:
 
   void MakeBins();
   Box GetBins(const glm::vec2* points, int count) const;
+  /// The first and the last bin of a row that a member in the bins of a box can touch.
+  glm::ivec2 FindColumns(const Member& member, int row, const Box& box) const;
   std::size_t GetBin(int i, int j) const { return std::size_t(j) * this->Bins.x + i; }
   template <typename Visit>
   void VisitBins(const Member& member, const Visit& visit) const;

@@ -3,6 +3,7 @@
 #include "cslfMeshMaker.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfTriangles.h"
 #include "cslfTubeDivision.h"
 #include "vtkCSLFMaterial.h"
@@ -19,8 +20,15 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <tuple>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -55,6 +63,83 @@ SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
   glm::dvec3 upper(VTK_DOUBLE_MIN);
   single.AddTo(lower, upper, single.GetLargestRadius());
   return { 0.5 * (lower + upper), 0.5 * glm::length(upper - lower) };
+}
+
+using TrianglePlace = std::array<glm::vec3, 3>;
+
+struct PlaceHash
+{
+  std::size_t operator()(const TrianglePlace& place) const
+  {
+    std::uint64_t hash = 0;
+    for (const glm::vec3& corner : place)
+    {
+      std::uint32_t bits[3];
+      static_assert(sizeof(bits) == sizeof(corner), "three floats");
+      std::memcpy(bits, &corner, sizeof(bits));
+      hash = MixBits(MixBits(hash, bits[0]), std::uint64_t(bits[1]) << 32 | bits[2]);
+    }
+    return hash;
+  }
+};
+
+/// The corners of a triangle, the same ones for triangles with the same front at the same place.
+TrianglePlace GetPlace(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  TrianglePlace place;
+  for (int i = 0; i < 3; ++i)
+  {
+    place[i] = mesh.Vertices[triangle[i]] + 0.0f; // one of the two zeros
+  }
+  const auto first = std::min_element(place.begin(), place.end(),
+    [](const glm::vec3& a, const glm::vec3& b)
+    { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  std::rotate(place.begin(), first, place.end());
+  return place;
+}
+
+template <typename Value>
+void KeepSome(const std::vector<char>& isKept, std::vector<Value>& values)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (isKept[i] != 0)
+    {
+      values[count++] = values[i];
+    }
+  }
+  values.resize(count);
+}
+
+/// Removes opaque triangles that a later one covers exactly, as in pictures of VTK. Tubes around
+/// stream lines that stand still have thousands at one place, and all rays would meet all of them.
+void DropCovered(Mesh& mesh)
+{
+  if (mesh.Triangles.empty() || mesh.CanBePassed())
+  {
+    return;
+  }
+  const std::size_t count = mesh.Triangles.size();
+  std::unordered_set<TrianglePlace, PlaceHash> places(count);
+  std::vector<char> isKept(count, 0);
+  for (std::size_t i = count; i-- > 0;)
+  {
+    isKept[i] = places.insert(GetPlace(mesh, mesh.Triangles[i])).second ? 1 : 0;
+  }
+  if (places.size() == count)
+  {
+    return;
+  }
+  KeepSome(isKept, mesh.Triangles);
+  if (mesh.Coloring == Mesh::ColorsOf::Triangles)
+  {
+    KeepSome(isKept, mesh.Colors);
+  }
+  if (mesh.EmissionsOf == Mesh::ColorsOf::Triangles)
+  {
+    KeepSome(isKept, mesh.Emissions);
+  }
 }
 
 /// Makes the mesh of one block.
@@ -97,6 +182,7 @@ public:
       this->Result.Textures.BaseColor = this->Table.Colors;
       this->Result.Appearance += this->Table.Name;
     }
+    DropCovered(this->Result);
     return std::move(this->Result);
   }
 
