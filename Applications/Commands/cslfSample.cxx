@@ -283,9 +283,16 @@ Result Run(const Options& options)
     options.Scene.RequireOther(GetGeometryName(options.Output));
   }
   const Scene scene = options.Scene.Read();
+  const std::string legend = DescribeLegend(scene.Legend);
+  std::istringstream lines(legend);
+  for (std::string line; IsFirstRank() && std::getline(lines, line);)
+  {
+    PrintNote(line); // who waits can stop if this is not right
+  }
   if (!options.Picture.empty() && IsFirstRank())
   {
     WriteScenePicture(options.Picture, options.Scene, scene);
+    PrintNote(options.Picture + " is the first picture");
   }
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
@@ -310,7 +317,7 @@ Result Run(const Options& options)
   result.JSON.update(coding);
   result.JSON["legend"] = scene.Legend;
   std::ostringstream text;
-  text << DescribeLegend(scene.Legend);
+  text << legend;
   if (!options.Picture.empty())
   {
     result.JSON["picture"] = options.Picture;

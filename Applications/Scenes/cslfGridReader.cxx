@@ -266,9 +266,9 @@ public:
   {
     if (this->Surfaces > 0)
     {
-      AddWarning("Of the cells of " + fileName + ", the surface is shown, " +
-        (this->Colors.empty() ? "without colours: no scalars are active."
-                              : "coloured by its active scalars " + Join(this->Colors) + "."));
+      AddWarning("Of the cells of " + fileName + ", the surface is shown. " +
+        (this->Colors.empty() ? "No scalars are active."
+                              : "Its active scalars are " + Join(this->Colors) + "."));
     }
     if (!this->Removed.empty())
     {

@@ -109,10 +109,10 @@ def set_parameters(target, parameters):
         for name, value in parameters.items():
             if value is not None:
                 getattr(target, f"Set{name}")(value)
+            if problems:
+                raise ValueError(f"{problems[0].partition(':')[0]}; it is {value!r}.")
     finally:
         target.RemoveObserver(tag)
-    if problems:
-        raise ValueError(problems[0])
 
 
 def find_name(value, names, parameter):

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of light fields that notebooks display."""
 
+import ctypes
+import functools
+import operator
 import os
 import pathlib
 
@@ -40,15 +43,32 @@ class Picture:
         return pixels if dtype is None else pixels.astype(dtype)
 
     def save(self, file_name):
-        """Writes the PNG file."""
+        """Writes the PNG file. Raises ValueError for names of other kinds."""
+        if pathlib.PurePath(file_name).suffix.lower() != ".png":
+            raise ValueError(f"Pictures are saved as .png; the name is {file_name}.")
         pathlib.Path(file_name).write_bytes(self.png)
+
+
+@functools.lru_cache(maxsize=None)
+def connect_display(_name):
+    """Whether an X server answers. The connection is kept: servers such as that of xvfb-run restart
+    when their last client leaves, and windows that are opened meanwhile end the process."""
+    try:
+        library = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return True
+    library.XOpenDisplay.restype = ctypes.c_void_p
+    return library.XOpenDisplay(None) is not None
 
 
 def capture(window):
     """Captures a render window as a Picture."""
-    if window.GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
-        raise RuntimeError("Drawing needs an X server: start the program with xvfb-run -a, "
-                           "or set DISPLAY.")
+    if window.GetClassName() == "vtkXOpenGLRenderWindow":
+        display = os.environ.get("DISPLAY")
+        if not display or not connect_display(display):
+            problem = f"no server answers at DISPLAY={display}" if display else "DISPLAY is not set"
+            raise RuntimeError(f"Drawing needs an X server, and {problem}: start the program with "
+                               "xvfb-run -a, or set DISPLAY.")
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     writer = vtkPNGWriter()
@@ -68,6 +88,9 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     default the centre. ``background`` is a colour with components in [0,1]. ``lookup``, and what is
     raised if there is no such field, are as in ``make_actor``.
     """
+    width, height = (operator.index(number) for number in size)
+    if min(width, height) < 1:
+        raise ValueError(f"The size must be at least 1 x 1 pixels; it is {width} x {height}.")
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
@@ -87,6 +110,6 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
-    window.SetSize(*size)
+    window.SetSize(width, height)
     window.AddRenderer(renderer)
     return capture(window)

@@ -170,7 +170,7 @@ class TestCSLFBake(unittest.TestCase):
             (ValueError, "is not a scene: supported are .glb", lambda: cslf.bake(__file__)),
             (ValueError, "preview, good, best", lambda: cslf.bake(sphere, quality="fine")),
             (ValueError, "lit, exact", lambda: cslf.bake(sphere, colors="pale")),
-            (ValueError, "Viewpoints must be from 2 to 1024",
+            (ValueError, "Viewpoints must be from 2 to 1024; it is 1",
              lambda: cslf.bake(sphere, viewpoints=1)),
             (ValueError, "crf is for videos", lambda: cslf.bake(sphere, crf=20.0)),
             (ValueError, "0 renderers", lambda: cslf.bake(vtkRenderWindow())),

@@ -72,16 +72,22 @@ class TestCSLFNotebook(unittest.TestCase):
                 cslf.show("missing.mp4")
             with self.assertRaisesRegex(ValueError, "not an MP4 or Matroska file"):
                 cslf.show(__file__)
+            with self.assertRaisesRegex(ValueError, "it is 0 x 9"):
+                cslf.show(FIELD, size=(0, 9))
+            with self.assertRaisesRegex(ValueError, "saved as .png"):
+                cslf.show(FIELD, size=(8, 9)).save("view.jpg")
         finally:
             image.GlobalWarningDisplayOn()
 
-    @mock.patch.dict(os.environ, {"DISPLAY": ""})
     def test_without_display(self):
-        if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 904:
-            with self.assertRaises(RuntimeError):
-                cslf.show(FIELD)
-        else:  # VTK draws without an X server, with EGL or OSMesa.
-            self.check(cslf.show(FIELD, size=(80, 60)), 80, 60)
+        needs_server = vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 904
+        for display in ("", ":987"):
+            with self.subTest(display=display), mock.patch.dict(os.environ, {"DISPLAY": display}):
+                if needs_server:
+                    with self.assertRaisesRegex(RuntimeError, display):
+                        cslf.show(FIELD)
+                else:  # VTK draws with EGL or OSMesa.
+                    self.check(cslf.show(FIELD, size=(80, 60)), 80, 60)
 
 
 if __name__ == "__main__":

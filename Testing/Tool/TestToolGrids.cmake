@@ -77,7 +77,7 @@ file(WRITE "${DIRECTORY}/cube.obj" "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
 cslf_run(trace cube.obj -o expected.png ${view} --base-color 0.784314 0.392157 0.196078)
 foreach (format IN ITEMS vti vtr vts vtu vtk pvtu pvti vtm vtpd vtpc pvd)
-  set(shown "Of the cells of cube.[a-z]+, the surface is shown, coloured by its active scalars Heat.\n$")
+  set(shown "Of the cells of cube.[a-z]+, the surface is shown. Its active scalars are Heat.\n$")
   # Six faces of four squares.
   cslf_warn(1 "${shown}" export cube.${format} -o exported.obj --json)
   expect_json(48 triangles)
@@ -92,7 +92,7 @@ endforeach ()
 file(READ "${DIRECTORY}/cube.vtu" text)
 string(REPLACE " Scalars=\"Heat\"" "" text "${text}")
 file(WRITE "${DIRECTORY}/grey.vtu" "${text}")
-cslf_warn(1 "without colours: no scalars are active.\n$" trace grey.vtu -o grey.png ${view})
+cslf_warn(1 "No scalars are active.\n$" trace grey.vtu -o grey.png ${view})
 
 # A tetrahedron covers half of the square of a wedge, which is shown all the same, as by clipped grids.
 write_xml(half.vtu UnstructuredGrid "" "NumberOfPoints=\"7\" NumberOfCells=\"2\""
@@ -104,7 +104,7 @@ write_xml(half.vtu UnstructuredGrid "" "NumberOfPoints=\"7\" NumberOfCells=\"2\"
 file(WRITE "${DIRECTORY}/half.obj" "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 0 0 2\nv 2 0 2\nv 1 1 2\nv 0.5 -1 0.5
 f 1 2 3\nf 4 6 5\nf 1 4 5 2\nf 2 5 6 3\nf 3 6 4 1\nf 1 2 7\nf 2 4 7\nf 4 1 7\n")
 set(below --position 4 -6 4 --focal-point 1 0 1)
-cslf_warn(1 "without colours: no scalars are active.\n$" trace half.vtu -o half.png ${view} ${below})
+cslf_warn(1 "No scalars are active.\n$" trace half.vtu -o half.png ${view} ${below})
 cslf_run(trace half.obj -o whole.png ${view} ${below})
 cslf_run(compare half.png whole.png --json)
 expect_json_at_least(32 psnr)
