@@ -326,6 +326,16 @@ void vtkCSLFViewScene::SetInterpolateDisplayedColors(bool interpolate)
 }
 
 //------------------------------------------------------------------------------
+void vtkCSLFViewScene::SetExactColors(bool exact)
+{
+  if (this->ExactColors != exact)
+  {
+    this->ExactColors = exact;
+    this->Capture();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFViewScene::Capture()
 {
   this->MustCapture = true;
@@ -412,6 +422,7 @@ bool vtkCSLFViewScene::CaptureNow()
   vtkNew<ViewImporter> importer;
   importer->SetRenderer(view->GetRenderer());
   importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
+  importer->SetExactColors(this->ExactColors);
   importer->Update();
   if (IsAlone() && !HasSurfaces(importer->GetOutput()))
   {
@@ -461,4 +472,5 @@ void vtkCSLFViewScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CaptureLights: " << (this->CaptureLights ? "on" : "off") << "\n";
   os << indent
      << "InterpolateDisplayedColors: " << (this->InterpolateDisplayedColors ? "on" : "off") << "\n";
+  os << indent << "ExactColors: " << (this->ExactColors ? "on" : "off") << "\n";
 }

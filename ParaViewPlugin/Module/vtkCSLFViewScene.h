@@ -65,6 +65,17 @@ public:
   vtkBooleanMacro(InterpolateDisplayedColors, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether surfaces get their own colours, as the scalar bar shows them, instead of those that make
+   * what the view shows with its lights, and no lights are captured. For a sampler whose colours are
+   * exact, too: see vtkCSLFPathTracer::SetColorsToExact. Default: off.
+   */
+  void SetExactColors(bool exact);
+  vtkGetMacro(ExactColors, bool);
+  vtkBooleanMacro(ExactColors, bool);
+  ///@}
+
   /**
    * Makes the next update capture the current view.
    */
@@ -104,6 +115,7 @@ private:
   vtkWeakPointer<vtkView> View;
   bool CaptureLights = true;
   bool InterpolateDisplayedColors = true;
+  bool ExactColors = false;
   bool MustCapture = true;
   vtkNew<vtkMultiBlockDataSet> Scene; // the captured scene
   std::string SceneText;

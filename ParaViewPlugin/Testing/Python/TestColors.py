@@ -3,6 +3,7 @@
 """The colours of a light field are those of the view, whatever is selected for the sampler: surfaces
 of many kinds side by side, drawn without lights, captured and baked, and sources baked directly."""
 from cslfparaview import *
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 STEP = 10.0  # between surfaces, in the world
 COLUMNS, ROWS = 4, 2
@@ -134,3 +135,36 @@ for source, name in ((direct, "direct"), (field, "chosen")):
     picture = take_picture(direct_view, name + ".png")
     Hide(source, direct_view)
     compare(get_cell(window, 0), get_cell(picture, 0), name, 12)
+
+# Exact colours: all of a slice's are in its lookup table, and where that has them.
+field = bake(flat, **quality, Colors="Exact")
+texels = fetch_array(field, "Color").astype(int)
+colors = numpy.unique(texels[texels[:, 3] == 255][:, :3], axis=0)
+table = GetColorTransferFunction("RTData").GetClientSideObject()
+values = numpy_to_vtk(numpy.linspace(100.0, 270.0, 1024), deep=1)
+mapped = vtk_to_numpy(table.MapScalars(values, 1, -1))[:, :3].astype(int)
+distance = abs(colors[:, None] - mapped[None]).max(axis=2).min(axis=1)
+print(f"exact: {len(colors)} colours, at most {distance.max()} from the lookup table")
+check(len(colors) > 20 and distance.max() <= 2, f"{distance.max()} from the lookup table")
+look_down(direct_view)
+Show(field, direct_view)
+compare(get_cell(window, 0), get_cell(take_picture(direct_view, "exact.png"), 0), "exact", 3)
+
+# The same of a view with lights, which does not show them.
+for index, (source, array, properties) in enumerate(surfaces.values()):
+    display = GetRepresentation(source, view)
+    display.Ambient, display.Diffuse, display.Specular = 0.0, 1.0, 0.5
+    display.DiffuseColor = properties.get("AmbientColor", [1, 1, 1])
+lit = take_picture(view, "lit.png")
+check(psnr(lit, window) < 40, "the view is not lit")
+captured.Colors = "Exact"
+with Errors("WarningEvent") as warnings:
+    field = bake(captured, **quality, Colors="Exact")
+    shown = make_view()
+    Show(field, shown)
+    look_down(shown)
+    picture = take_picture(shown, "captured_exact.png")
+check(not any("exact" in message for message in warnings.messages), f"{warnings.messages}")
+for index, name in enumerate(surfaces):
+    tolerance = 12 if name == "opacity" else 3  # opacity is sampled
+    compare(get_cell(window, index), get_cell(picture, index), f"captured exact {name}", tolerance)

@@ -26,9 +26,15 @@ check(hit.any() and blue[hit][:, 2].mean() > 20 * blue[hit][:, 0].mean() + 1, "n
 check(scene.GetDataInformation().GetFieldDataInformation().GetNumberOfArrays() == 0,
       "the material's input was changed")
 
-# A cube that is set in both ways, and one that does not contain the scene.
-field.AutomaticCube = 0
+# A cube that is set in both ways, and one that does not contain the scene. Without geometry, the
+# cube's are the bounds.
 view = make_view()
+Show(field, view)
+Render(view)
+bounds = GetRepresentation(field, view).GetRepresentedDataInformation().GetBounds()
+sphere = scene.GetDataInformation().GetBounds()
+check(max(abs(a - b) for a, b in zip(bounds, sphere)) < 0.01, f"bounds of the geometry {bounds}")
+field.AutomaticCube, field.GeometryTriangles = 0, 0
 
 
 def check_cube(expected, margin):
