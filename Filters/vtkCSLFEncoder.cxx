@@ -205,13 +205,6 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     this->ResumedGroups = resumed;
     this->NumberOfGroups = all;
   };
-  this->NumberOfGroups = 0;
-  this->ResumedGroups = 0;
-  job.Resume = [this](int resumed, int all)
-  {
-    this->ResumedGroups = resumed;
-    this->NumberOfGroups = all;
-  };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
 }

@@ -116,6 +116,10 @@ public:
     }
     // A call by an observer, after the outer call was interrupted, ends at once.
     const bool isInner = this->IsStopped;
+    if (isInner && this->StoppedThread != std::this_thread::get_id())
+    {
+      return;
+    }
     if (isInner || this->InstallHandler())
     {
       this->Thread = std::this_thread::get_id();
@@ -289,6 +293,7 @@ private:
     this->Value.Reset(value);
     if (!this->IsStopped)
     {
+      this->StoppedThread = std::this_thread::get_id();
       this->IsStopped = true;
       this->WarningDisplay = vtkObject::GetGlobalWarningDisplay();
       vtkObject::SetGlobalWarningDisplay(0);
@@ -330,6 +335,7 @@ private:
 
   std::atomic<std::thread::id> Thread{ std::thread::id() }; ///< of the long call
   std::atomic<bool> IsStopped{ false };
+  std::atomic<std::thread::id> StoppedThread{}; ///< that of the call which a signal ended
   // Everything else is used only by that thread, with Python's lock.
   int Depth = 0;
   int WarningDisplay = 1;

@@ -196,8 +196,10 @@ std::string MakeBash(const std::vector<Level>& levels)
   text << "      esac ;;\n  esac\n"
           "  COMPREPLY=()\n"
           "  local IFS=$'\\n'\n"
-          "  [[ -z $words ]] || COMPREPLY+=($(IFS=' ' compgen -W \"$words\" -- \"$current\"))\n"
-          "  [[ -z $files ]] || COMPREPLY+=($(compgen $files -- \"$current\"))\n"
+          "  [[ -z $words ]] || mapfile -t COMPREPLY "
+          "< <(IFS=' ' compgen -W \"$words\" -- \"$current\")\n"
+          "  [[ -z $files ]] || mapfile -t -O ${#COMPREPLY[@]} COMPREPLY "
+          "< <(compgen $files -- \"$current\")\n"
           "}\n"
           "complete -o filenames -F _cslf cslf\n";
   return text.str();
@@ -215,7 +217,13 @@ std::string OfferInZsh(const Item& item)
     : item.TakesFolder()                     ? "_files -/"
                                              : std::string();
   const std::string both = words.empty() || files.empty() ? words + files : words + "; " + files;
-  return ":" + item.Placeholder + ":" + (both.empty() ? " " : "{ " + both + " }");
+  // Colons separate the parts.
+  std::string placeholder;
+  for (const char c : item.Placeholder)
+  {
+    placeholder += (c == ':' || c == '\\' ? "\\" : "") + std::string(1, c);
+  }
+  return ":" + placeholder + ":" + (both.empty() ? " " : "{ " + both + " }");
 }
 
 /// A description in brackets.

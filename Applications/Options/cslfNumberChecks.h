@@ -57,7 +57,9 @@ CLI::Validator Between(T least, T most)
 {
   constexpr double endless = 1e9;
   const auto end = static_cast<double>(most);
-  CLI::Validator range = CLI::Range(least, most);
+  // What is no number is at least nothing.
+  CLI::Validator range = CLI::Range(least, most) &
+    AtLeast(std::numeric_limits<double>::lowest(), "not a number", "a number");
   range.description(end < endless ? Spell(static_cast<double>(least)) + " to " + Spell(end)
                                   : "at least " + Spell(static_cast<double>(least)));
   return range;

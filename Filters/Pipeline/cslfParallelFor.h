@@ -85,6 +85,18 @@ bool ParallelFor(vtkIdType first, vtkIdType last, const Progress& progress, cons
   return progress(1.0);
 }
 
+/// Waits for work in another thread. Meanwhile, this thread calls `report` several times a second.
+template <typename Result, typename Report>
+void WaitFor(const std::future<Result>& work, const Report& report)
+{
+  constexpr std::chrono::milliseconds step(50);
+  const WithoutLock unlocked;
+  while (work.wait_for(step) != std::future_status::ready)
+  {
+    report();
+  }
+}
+
 /// Does work that cannot be interrupted, and returns its result. Meanwhile, the calling thread
 /// reports progress: two thirds after the expected time. If `progress` throws or returns false, the
 /// work is left to end by itself, so it must own all that it uses, and Aborted is thrown.
@@ -93,25 +105,19 @@ Result DoApart(
   const Progress& progress, double expectedSeconds, const std::function<Result()>& work)
 {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds step(100);
   const Clock::time_point start = Clock::now();
-  const WithoutLock unlocked;
   const auto task = std::make_shared<std::packaged_task<Result()>>(work);
   std::future<Result> result = task->get_future();
   std::thread([task] { (*task)(); }).detach();
-  const auto isReady = [&]
-  {
-    const WithoutLock unlocked;
-    return result.wait_for(step) == std::future_status::ready;
-  };
-  while (!isReady())
-  {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (!progress(1.0 - std::exp(-seconds / expectedSeconds)))
+  WaitFor(result,
+    [&]
     {
-      throw Aborted();
-    }
-  }
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      if (!progress(1.0 - std::exp(-seconds / expectedSeconds)))
+      {
+        throw Aborted();
+      }
+    });
   return result.get();
 }
 }

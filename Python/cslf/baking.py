@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Baking a scene in one call."""
 
+import contextlib
 import os
 import pathlib
 import shutil
@@ -65,27 +66,30 @@ class LightField:
             if kind != pathlib.PurePath(self.file_name).suffix.lower():
                 raise ValueError(f"The field is in {self.file_name}: its copy must have the same "
                                  "extension.")
-            check_folder(name)
-            copy_file(self.file_name, name)
+            with whole_file(name) as part:
+                shutil.copyfile(self.file_name, part)
         elif kind in VIDEOS:
             write(self.sampler, name, None, None)
         elif kind == ".vti":
-            check_folder(name)
             writer = vtkXMLImageDataWriter()
             writer.SetInputConnection(self.sampler.GetOutputPort())
-            writer.SetFileName(name)
-            with Messages(writer) as messages:
+            with whole_file(name) as part, Messages(writer) as messages:
+                writer.SetFileName(part)
                 messages.require(writer.Write() and not writer.GetErrorCode(),
                                  f"{name} was not written.")
         else:
             raise ValueError(f"{name} is none of {', '.join((*VIDEOS, '.vti'))}.")
 
 
-def copy_file(source, name):
-    """Copies a file. The copy appears when it is whole."""
-    with tempfile.TemporaryDirectory(dir=os.path.dirname(name) or ".") as folder:
+@contextlib.contextmanager
+def whole_file(name):
+    """Gives the name of a file to write, which gets its own name when it is whole. A symbolic link
+    stays, and its target is replaced."""
+    check_folder(name)
+    name = os.path.realpath(name)
+    with tempfile.TemporaryDirectory(dir=os.path.dirname(name)) as folder:
         part = os.path.join(folder, os.path.basename(name))
-        shutil.copyfile(source, part)
+        yield part
         os.replace(part, name)
 
 

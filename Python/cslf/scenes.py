@@ -61,7 +61,10 @@ def read_collection(name):
     blocks = vtkMultiBlockDataSet()
     for entry in sets:
         if float(entry.get("timestep", 0)) == first:
-            part = read(os.path.join(os.path.dirname(name), entry.get("file", "")))
+            file = entry.get("file", "")
+            if file.lower().endswith(".pvd"):
+                raise ValueError(f"its part {file} is a collection, too")
+            part = read(os.path.join(os.path.dirname(name), file))
             blocks.SetBlock(blocks.GetNumberOfBlocks(), part)
     return blocks
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <thread>
+#include <future>
 #include <utility>
 
 namespace cslf
@@ -20,33 +20,47 @@ namespace
 constexpr double CodingShare = 0.8;
 
 /// Calls `work` with the numbers below `count` in parallel, and with a function that it calls now
-/// and then: if that returns false, it ends. On the calling thread, this reports the progress.
-/// False if any work set its error, or was stopped; returns the first error.
+/// and then: if that returns false, it ends. The calling thread only reports the progress, because
+/// with some backends of vtkSMPTools it would do no work. False if any work set its error, or was
+/// stopped; returns the first error.
 template <typename Work>
 bool DoSideBySide(std::size_t count, const Progress& progress, const Work& work, std::string& error)
 {
   std::vector<std::string> errors(count);
-  const std::thread::id caller = std::this_thread::get_id();
   std::atomic<bool> isStopped{ false };
   std::atomic<std::size_t> done{ 0 };
-  const auto proceed = [&]
+  const auto proceed = [&isStopped] { return !isStopped; };
+  const auto report = [&]
   {
-    if (std::this_thread::get_id() == caller && !isStopped &&
-      !progress(static_cast<double>(done) / static_cast<double>(count)))
+    if (!isStopped && !progress(static_cast<double>(done) / static_cast<double>(count)))
     {
       isStopped = true;
     }
-    return !isStopped;
   };
-  ParallelFor(0, static_cast<vtkIdType>(count), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  report();
+  std::future<void> all = std::async(std::launch::async,
+    [&]
     {
-      for (vtkIdType k = begin; k < end && proceed(); ++k)
-      {
-        work(static_cast<std::size_t>(k), proceed, errors[k]);
-        ++done;
-      }
+      ParallelFor(0, static_cast<vtkIdType>(count), 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType k = begin; k < end && proceed(); ++k)
+          {
+            work(static_cast<std::size_t>(k), proceed, errors[k]);
+            ++done;
+          }
+        });
     });
+  try
+  {
+    WaitFor(all, report);
+  }
+  catch (...)
+  {
+    isStopped = true; // the work ends before its variables do
+    throw;
+  }
+  all.get();
   if (isStopped)
   {
     error = Stopped;
