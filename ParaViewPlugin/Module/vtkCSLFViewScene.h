@@ -67,9 +67,9 @@ public:
 
   ///@{
   /**
-   * Whether surfaces get their own colours, as the scalar bar shows them, instead of those that make
-   * what the view shows with its lights, and no lights are captured. For a sampler whose colours are
-   * exact, too: see vtkCSLFPathTracer::SetColorsToExact. Default: off.
+   * Whether surfaces get their own colours, as the scalar bar shows them, instead of those that
+   * make what the view shows with its lights, and no lights are captured. For a sampler whose
+   * colours are exact, too: see vtkCSLFPathTracer::SetColorsToExact. Default: off.
    */
   void SetExactColors(bool exact);
   vtkGetMacro(ExactColors, bool);
