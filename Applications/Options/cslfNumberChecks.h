@@ -57,7 +57,7 @@ CLI::Validator Between(T least, T most)
 {
   constexpr double endless = 1e9;
   const auto end = static_cast<double>(most);
-  // What is no number is at least nothing.
+  // CLI::Range accepts NaN, which is not at least any number.
   CLI::Validator range = CLI::Range(least, most) &
     AtLeast(std::numeric_limits<double>::lowest(), "not a number", "a number");
   range.description(end < endless ? Spell(static_cast<double>(least)) + " to " + Spell(end)
