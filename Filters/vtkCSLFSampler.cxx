@@ -201,7 +201,12 @@ int vtkCSLFSampler::RequestData(
   }
   else if (!isDone || this->GeometryTriangles > 0)
   {
-    cslf::SetNotMade(outputVector, 1); // aborted
+    cslf::SetNotMade(outputVector, 1);
+    if (isDone && cslf::IsAborted(this))
+    {
+      // The field is whole, but the next Update() has to make the geometry.
+      cslf::SetNotMade(outputVector, 0);
+    }
   }
   return 1;
 }

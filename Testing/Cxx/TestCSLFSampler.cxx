@@ -469,7 +469,6 @@ void TestPhases()
     CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPoints() == 0);
     sampler->SetAbortExecute(0);
     sampler->Update();
-    sampler->Update(1);
     CSLF_CHECK(GetBytes(sampler->GetOutput(), "Color") == GetBytes(whole->GetOutput(), "Color"));
     CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPoints() == points);
   }
