@@ -56,9 +56,6 @@ constexpr double MostStoredTexels = 256.0 * 1024 * 1024;
 /// The number of places where the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
 
-/// The most bytes of slices that are requested at once.
-constexpr double PullBytes = 64.0 * 1024 * 1024;
-
 ///@{
 /// The progress when depths are read and when the mesh is made; and the share of the latter before
 /// the mesh is reduced.
@@ -163,8 +160,8 @@ private:
         return phase.ReportFor(producer, share);
       });
     const double texels = (this->Whole[1] + 1.0) * (this->Whole[3] + 1.0);
-    const auto most = static_cast<std::size_t>(
-      std::max(1.0, PullBytes / (static_cast<double>(this->Field->GetTexelBytes()) * texels)));
+    const auto most = static_cast<std::size_t>(std::max(
+      1.0, cslf::PulledBytes / (static_cast<double>(this->Field->GetTexelBytes()) * texels)));
     for (std::size_t begin = 0; begin < slices.size();)
     {
       std::size_t end = begin + 1;

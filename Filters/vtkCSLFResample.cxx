@@ -48,9 +48,7 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The largest size of input slices pulled at once, in bytes, at 20 bytes per texel for float
-/// colour and depth.
-constexpr double PullBytes = 64.0 * 1024 * 1024;
+/// The bytes of a texel of float colour and depth.
 constexpr double TexelBytesEstimate = 20.0;
 
 /// The share of pulling in the progress.
@@ -59,7 +57,7 @@ constexpr double PullShare = 0.5;
 int GetSlicesAtOnce(const int extent[6])
 {
   const double texels = (extent[1] + 1.0) * (extent[3] + 1.0);
-  return static_cast<int>(std::max(2.0, PullBytes / (TexelBytesEstimate * texels)));
+  return static_cast<int>(std::max(2.0, cslf::PulledBytes / (TexelBytesEstimate * texels)));
 }
 }
 

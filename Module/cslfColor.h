@@ -14,6 +14,12 @@
 
 namespace cslf
 {
+/// The bytes of a colour of 8 bits: red, green, blue and alpha.
+constexpr int ColorBytes = 4;
+
+/// The parts of linear sRGB's primaries in luminance (ITU-R BT.709).
+constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
+
 /// sRGB-encoded value in [0,1] to linear.
 inline double SRGBToLinear(double encoded)
 {

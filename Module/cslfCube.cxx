@@ -47,7 +47,7 @@ glm::dvec2 CubeToFace(int face, const glm::dvec3& pointCC)
   return { row.SignS * pointCC[row.AxisS], row.SignT * pointCC[row.AxisT] };
 }
 
-SurfacePoint DirectionToFace(const glm::dvec3& directionCC)
+CubePoint DirectionToFace(const glm::dvec3& directionCC)
 {
   const glm::dvec3 size = glm::abs(directionCC);
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
@@ -100,7 +100,7 @@ std::optional<RayCoordinates> RayToCoordinates(
   RayCoordinates ray;
   ray.EntryDistance = entryDistance;
   ray.ExitDistance = exitDistance;
-  const auto toSurface = [&](double distance, int face) -> SurfacePoint
+  const auto toSurface = [&](double distance, int face) -> CubePoint
   {
     const glm::dvec3 point = originCC + distance * directionCC;
     return { face, glm::clamp(CubeToFace(face, point), -1.0, 1.0) };

@@ -42,7 +42,7 @@ constexpr int FaceOf(int axis, double sign)
 }
 
 /// A point of the cube's surface: a face and its in-face coordinates (sc, tc), each in [-1,1].
-struct SurfacePoint
+struct CubePoint
 {
   int Face = 0;
   glm::dvec2 Coordinates{ 0.0 };
@@ -57,13 +57,13 @@ VTKCSLF_EXPORT glm::dvec2 CubeToFace(int face, const glm::dvec3& pointCC);
 
 /// The face that a direction from the cube's centre (or a surface point in CC) meets, and where.
 /// Edges and corners belong to the face of the lowest axis.
-VTKCSLF_EXPORT SurfacePoint DirectionToFace(const glm::dvec3& directionCC);
+VTKCSLF_EXPORT CubePoint DirectionToFace(const glm::dvec3& directionCC);
 
 /// The four parameters of a light ray: where it enters the cube, (u,v), and leaves it, (s,t).
 struct RayCoordinates
 {
-  SurfacePoint Entry;         ///< (u,v)
-  SurfacePoint Exit;          ///< (s,t); never on the entry face
+  CubePoint Entry;            ///< (u,v)
+  CubePoint Exit;             ///< (s,t); never on the entry face
   double EntryDistance = 0.0; ///< ray parameter at the entry, in units of the direction's length
   double ExitDistance = 0.0;  ///< ray parameter at the exit
 };

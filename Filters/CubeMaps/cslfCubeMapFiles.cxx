@@ -3,6 +3,7 @@
 #include "cslfCubeMapFiles.h"
 
 #include "CubeMaps/cslfEXRHeader.h"
+#include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfJSONFile.h"
 #include "cslfJSONText.h"
@@ -81,12 +82,6 @@ OIIO::ImageSpec MakeSpec(const Layout& grid, const Channel& channel)
   }
   spec.attribute("ImageDescription", channel.Name + ", " + channel.Encoding);
   return spec;
-}
-
-std::uint32_t ReadBigEndian(const unsigned char* bytes)
-{
-  return std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
-    std::uint32_t(bytes[2]) << 8 | bytes[3];
 }
 
 /// The bytes of an image file. None if there is no such file, or if it is larger than an image of

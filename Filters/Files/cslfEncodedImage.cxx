@@ -60,12 +60,6 @@ std::string FindFormat(const Bytes& bytes, const std::string& extension)
 constexpr std::size_t PNGSignature = 8;
 constexpr std::size_t PNGChunkEnds = 12;
 
-std::uint32_t ReadBigEndian(const unsigned char* bytes)
-{
-  return std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
-    std::uint32_t(bytes[2]) << 8 | std::uint32_t(bytes[3]);
-}
-
 /// The chunks of a PNG file that define pixels. Textures ignore its colour space (glTF, section
 /// 3.8.2). Damage is detected here, because the PNG library would print messages. Empty on damage.
 std::string KeepPixels(const Bytes& bytes, std::string& error)

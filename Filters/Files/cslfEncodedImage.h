@@ -13,6 +13,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace cslf
@@ -24,6 +25,13 @@ namespace cslf
 /// then ends a sentence about the image.
 VTKCSLF_EXPORT vtkSmartPointer<vtkImageData> DecodeImage(
   const unsigned char* bytes, std::size_t size, const std::string& extension, std::string& error);
+
+/// A number of 4 bytes, as PNG files have them.
+inline std::uint32_t ReadBigEndian(const unsigned char* bytes)
+{
+  return std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
+    std::uint32_t(bytes[2]) << 8 | std::uint32_t(bytes[3]);
+}
 }
 
 #endif

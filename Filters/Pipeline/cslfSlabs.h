@@ -27,6 +27,9 @@ class vtkInformation;
 
 namespace cslf
 {
+/// The largest size, in bytes, of slices that filters ask for at once.
+constexpr double PulledBytes = 64.0 * 1024 * 1024;
+
 /// A range of z slices, both ends included.
 struct Slab
 {

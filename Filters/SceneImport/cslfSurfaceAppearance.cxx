@@ -23,8 +23,6 @@ namespace
 // Light that is less than 1 only by an error of rounding.
 constexpr double Rounding = 1e-6;
 
-constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
-
 // The largest share of a surface for the boundary or metal of a highlight. Broader highlights
 // become a brighter diffuse base.
 constexpr double LargestReflectance = 0.2;

@@ -28,8 +28,6 @@ namespace
 // a room lights the walls.
 constexpr double NearestPart = 0.5;
 
-constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
-
 /// A light at its current position. Lights that move with the camera are placed as for the next
 /// drawing, but the renderer's own light is not changed.
 vtkSmartPointer<vtkLight> Place(vtkLight* light, vtkRenderer* renderer)

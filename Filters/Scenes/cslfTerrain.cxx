@@ -21,7 +21,7 @@ namespace cslf
 {
 namespace
 {
-constexpr int Size = 400; // points along each side
+constexpr int SidePoints = 400; // points along each side
 constexpr double Spacing = 25.0;
 constexpr double Easting = 495000.0; // of the south-western corner
 constexpr double Northing = 4995000.0;
@@ -72,9 +72,9 @@ void AddTerrain(vtkRenderer* renderer)
   vtkNew<vtkDoubleArray> heights;
   heights->SetName("Height");
   vtkNew<vtkCellArray> triangles;
-  for (int row = 0; row < Size; ++row)
+  for (int row = 0; row < SidePoints; ++row)
   {
-    for (int column = 0; column < Size; ++column)
+    for (int column = 0; column < SidePoints; ++column)
     {
       const double height = GetHeight(noise, Spacing * column, Spacing * row);
       const vtkIdType point =
@@ -82,7 +82,8 @@ void AddTerrain(vtkRenderer* renderer)
       heights->InsertNextValue(height);
       if (row > 0 && column > 0)
       {
-        const vtkIdType corners[] = { point - Size - 1, point - Size, point, point - 1 };
+        const vtkIdType corners[] = { point - SidePoints - 1, point - SidePoints, point,
+          point - 1 };
         triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
         triangles->InsertNextCell({ corners[0], corners[2], corners[3] });
       }

@@ -16,7 +16,7 @@ namespace cslf
 {
 namespace
 {
-constexpr int Size = 168; // points along each edge
+constexpr int EdgePoints = 168; // points along each edge
 
 /// A sum of octaves of noise, from coarse to fine.
 double GetTurbulence(vtkPerlinNoise* noise, const double point[3])
@@ -49,17 +49,18 @@ void AddTurbulence(vtkRenderer* renderer)
 {
   vtkNew<vtkPerlinNoise> noise;
   vtkNew<vtkImageData> field;
-  field->SetDimensions(Size, Size, Size);
+  field->SetDimensions(EdgePoints, EdgePoints, EdgePoints);
   vtkNew<vtkFloatArray> values;
   values->SetName("Vorticity");
-  values->SetNumberOfTuples(static_cast<vtkIdType>(Size) * Size * Size);
-  vtkSMPTools::For(0, Size,
+  values->SetNumberOfTuples(static_cast<vtkIdType>(EdgePoints) * EdgePoints * EdgePoints);
+  vtkSMPTools::For(0, EdgePoints,
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType i = first * Size * Size; i < last * Size * Size; ++i)
+      for (vtkIdType i = first * EdgePoints * EdgePoints; i < last * EdgePoints * EdgePoints; ++i)
       {
-        const double point[3] = { static_cast<double>(i % Size),
-          static_cast<double>(i / Size % Size), static_cast<double>(i / (Size * Size)) };
+        const double point[3] = { static_cast<double>(i % EdgePoints),
+          static_cast<double>(i / EdgePoints % EdgePoints),
+          static_cast<double>(i / (EdgePoints * EdgePoints)) };
         values->SetValue(i, static_cast<float>(GetTurbulence(noise, point)));
       }
     });

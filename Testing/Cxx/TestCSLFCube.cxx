@@ -31,7 +31,7 @@ void TestOrientationTable()
   };
   for (const Row& row : rows)
   {
-    const cslf::SurfacePoint point = cslf::DirectionToFace(3.0 * row.Direction);
+    const cslf::CubePoint point = cslf::DirectionToFace(3.0 * row.Direction);
     CSLF_CHECK(point.Face == row.Face);
     CSLF_CHECK(glm::distance(point.Coordinates, row.Coordinates) < 1e-12);
     CSLF_CHECK(glm::distance(cslf::FaceToCube(row.Face, row.Coordinates), row.Direction) < 1e-12);

@@ -7,7 +7,7 @@ namespace cslf
 {
 namespace
 {
-NALSyntax MakeSyntax()
+NALSyntax MakeH264Syntax()
 {
   NALSyntax syntax;
   syntax.HeaderSize = 1;
@@ -28,7 +28,7 @@ class H264Bitstream : public NALBitstream
 {
 public:
   H264Bitstream()
-    : NALBitstream(MakeSyntax())
+    : NALBitstream(MakeH264Syntax())
   {
   }
 

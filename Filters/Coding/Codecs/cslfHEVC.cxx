@@ -7,7 +7,7 @@ namespace cslf
 {
 namespace
 {
-NALSyntax MakeSyntax()
+NALSyntax MakeHEVCSyntax()
 {
   NALSyntax syntax;
   syntax.HeaderSize = 2;
@@ -28,7 +28,7 @@ class HEVCBitstream : public NALBitstream
 {
 public:
   HEVCBitstream()
-    : NALBitstream(MakeSyntax())
+    : NALBitstream(MakeHEVCSyntax())
   {
   }
 
@@ -37,7 +37,7 @@ protected:
   {
     // The fixed part of an HEVCDecoderConfigurationRecord ends with the number of arrays that
     // follow. Each array is a type, a count in two bytes, and the units.
-    std::size_t position = MakeSyntax().LeastRecordSize;
+    std::size_t position = MakeHEVCSyntax().LeastRecordSize;
     for (int array = data[position - 1]; array > 0; --array)
     {
       if (size - position < 3)

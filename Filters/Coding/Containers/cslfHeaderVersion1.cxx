@@ -15,7 +15,6 @@ namespace
 {
 using JSON = nlohmann::json;
 
-constexpr const char* CodingKey = "coding";
 constexpr const char* ChecksumKey = "checksum";
 
 /// Files of version 1 leave out values that were the same in all of them.
@@ -42,7 +41,7 @@ void Complete(JSON& track)
 std::optional<JSON> ReadVersion1(const std::string& text, bool& isOurs, std::string& error)
 {
   JSON json = ParseJSON(text);
-  isOurs = json.is_object() && json.contains(CodingKey) && json.contains(ChecksumKey);
+  isOurs = json.is_object() && json.contains("coding") && json.contains(ChecksumKey);
   if (!isOurs)
   {
     error = "it is not a light field";
@@ -56,11 +55,11 @@ std::optional<JSON> ReadVersion1(const std::string& text, bool& isOurs, std::str
     error = "its description is damaged";
     return std::nullopt;
   }
-  if (ToInteger(json.at("version")) != 1 || ToInteger(json.at(CodingKey).at("version")) != 1)
+  if (ToInteger(json.at("version")) != 1 || ToInteger(json.at("coding").at("version")) != 1)
   {
     throw std::invalid_argument("its version is not valid");
   }
-  for (JSON& track : json.at(CodingKey).at("tracks"))
+  for (JSON& track : json.at("coding").at("tracks"))
   {
     Complete(track);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfColorFrames.h"
 
+#include "cslfColor.h"
+
 #include "cslfColorRows.h"
 
 #include <algorithm>
@@ -13,8 +15,6 @@ namespace cslf
 {
 namespace
 {
-constexpr int ColorBytes = 4;
-
 /// The bits of fraction of byte colours, and of subsampled ones, when they become samples.
 constexpr int FractionBits = 17;
 constexpr int SparseFractionBits = 14;

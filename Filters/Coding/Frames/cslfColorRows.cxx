@@ -20,7 +20,7 @@ constexpr double RedRange = 2.0 * (1.0 - RedShare);
 constexpr double BlueRange = 2.0 * (1.0 - BlueShare);
 
 /// The bits of fraction of byte colours.
-constexpr int FractionBits = 20;
+constexpr int FractionBitsOfSums = 20;
 
 /// The scale of chroma after SpreadChroma.
 constexpr int SpreadScale = 16;
@@ -32,7 +32,7 @@ int ToInteger(double weight)
 
 inline std::uint32_t ToByte(int value)
 {
-  return static_cast<std::uint32_t>(std::min(std::max(value >> FractionBits, 0), 255));
+  return static_cast<std::uint32_t>(std::min(std::max(value >> FractionBitsOfSums, 0), 255));
 }
 
 template <typename Luma, typename Chroma>
@@ -40,7 +40,7 @@ inline void ConvertRow(const Luma* luma, const Chroma* blue, const Chroma* red,
   const ColorWeights& weights, int count, unsigned char* colors)
 {
   const ColorWeights w = weights;
-  constexpr int half = 1 << (FractionBits - 1);
+  constexpr int half = 1 << (FractionBitsOfSums - 1);
   CSLF_LANE_LOOP
   for (int k = 0; k < count; ++k)
   {
@@ -239,7 +239,7 @@ SampleWeights MakeSampleWeights(
 
 void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors)
 {
-  const ColorWeights weights = MakeColorWeights(bits, 255, FractionBits);
+  const ColorWeights weights = MakeColorWeights(bits, 255, FractionBitsOfSums);
   (bits > 8 ? ConvertWords : ConvertBytes)(row, weights, count, colors);
 }
 
@@ -264,7 +264,7 @@ void SpreadChroma(const std::uint8_t* near, const std::uint8_t* far, int bits, C
 void SpreadToColors(const std::uint8_t* luma, const std::uint16_t* blue, const std::uint16_t* red,
   int bits, int count, unsigned char* colors)
 {
-  const ColorWeights weights = MakeColorWeights(bits, 255, FractionBits, SpreadScale);
+  const ColorWeights weights = MakeColorWeights(bits, 255, FractionBitsOfSums, SpreadScale);
   (bits > 8 ? ConvertSpreadWords : ConvertSpreadBytes)(luma, blue, red, weights, count, colors);
 }
 

@@ -17,8 +17,6 @@ namespace cslf
 {
 namespace
 {
-constexpr int ColorBytes = 4;
-
 /// FFmpeg's decoder has separate names for full-range 8-bit formats. The samples are the same.
 AVPixelFormat WithoutRange(int format)
 {

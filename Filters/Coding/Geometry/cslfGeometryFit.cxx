@@ -31,21 +31,21 @@ constexpr int Reach = 3;
 constexpr unsigned char MostlyCovered = 128;
 constexpr unsigned char Opaque = 192;
 
-struct Place
+struct Texel
 {
   int X;
   int Y;
 };
 
-int SquareOf(const Place& place)
+int SquareOf(const Texel& place)
 {
   return place.X * place.X + place.Y * place.Y;
 }
 
 /// The texels around one, nearest first.
-std::vector<Place> ListPlacesAround()
+std::vector<Texel> ListPlacesAround()
 {
-  std::vector<Place> places;
+  std::vector<Texel> places;
   for (int y = -Reach; y <= Reach; ++y)
   {
     for (int x = -Reach; x <= Reach; ++x)
@@ -57,7 +57,7 @@ std::vector<Place> ListPlacesAround()
     }
   }
   std::stable_sort(places.begin(), places.end(),
-    [](const Place& a, const Place& b) { return SquareOf(a) < SquareOf(b); });
+    [](const Texel& a, const Texel& b) { return SquareOf(a) < SquareOf(b); });
   return places;
 }
 
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  std::size_t IndexOf(const Place& place) const
+  std::size_t IndexOf(const Texel& place) const
   {
     return (static_cast<std::size_t>(place.Y) * TileCount + this->Number) * this->Resolution +
       place.X;
@@ -135,13 +135,13 @@ private:
     return color;
   }
 
-  bool IsInside(const Place& place) const
+  bool IsInside(const Texel& place) const
   {
     return std::min(place.X, place.Y) >= 0 && std::max(place.X, place.Y) < this->Resolution;
   }
 
   /// Whether a texel inside of the geometry's outlines shows something through it.
-  bool IsTorn(const Place& place) const
+  bool IsTorn(const Texel& place) const
   {
     if (!this->HasCoverage || this->Coverage.GetCoverage(this->IndexOf(place)) >= Opaque)
     {
@@ -149,7 +149,7 @@ private:
     }
     for (int k = 0; k < 9; ++k)
     {
-      const Place other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
+      const Texel other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
       if (!this->IsInside(other) || this->Drawn[this->IndexOf(other)] == None)
       {
         return false;
@@ -165,7 +165,7 @@ private:
 
   /// Whether a texel that the geometry does not cover lies at a silhouette: the nearest sample has
   /// hit something, but the centre has not. Wires thinner than a texel have no such neighbours.
-  bool IsAtSilhouette(const Place& place) const
+  bool IsAtSilhouette(const Texel& place) const
   {
     if (this->IsMostlyCovered(this->IndexOf(place)))
     {
@@ -173,7 +173,7 @@ private:
     }
     for (int k = 0; k < 9; ++k)
     {
-      const Place other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
+      const Texel other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
       if (this->IsInside(other) && this->Drawn[this->IndexOf(other)] < None &&
         this->IsMostlyCovered(this->IndexOf(other)))
       {
@@ -183,7 +183,7 @@ private:
     return false;
   }
 
-  void FindColor(const Place& place)
+  void FindColor(const Texel& place)
   {
     const std::size_t texel = this->IndexOf(place);
     const bool isDrawn = this->Drawn[texel] < None;
@@ -208,19 +208,19 @@ private:
   }
 
   /// The mean light of the nearest texels on the surface that the geometry has here.
-  std::optional<glm::vec3> FindNearest(const Place& place) const
+  std::optional<glm::vec3> FindNearest(const Texel& place) const
   {
-    static const std::vector<Place> around = ListPlacesAround();
+    static const std::vector<Texel> around = ListPlacesAround();
     glm::dvec3 sum(0.0);
     double weights = 0.0;
     int square = 0;
-    for (const Place& step : around)
+    for (const Texel& step : around)
     {
       if (weights > 0.0 && SquareOf(step) > square)
       {
         break;
       }
-      const Place other = { place.X + step.X, place.Y + step.Y };
+      const Texel other = { place.X + step.X, place.Y + step.Y };
       if (this->IsInside(other) &&
         this->IsOn(
           this->IndexOf(other), this->IndexOf(place), std::max(std::abs(step.X), std::abs(step.Y))))
@@ -255,7 +255,7 @@ private:
   }
   ///@}
 
-  void Put(const Place& place, const glm::vec3& color)
+  void Put(const Texel& place, const glm::vec3& color)
   {
     for (int k = 0; k < 3; ++k)
     {

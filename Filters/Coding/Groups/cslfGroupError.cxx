@@ -3,6 +3,7 @@
 #include "cslfGroupError.h"
 
 #include "Pipeline/cslfFieldArrays.h"
+#include "cslfColor.h"
 #include "cslfLayout.h"
 #include "cslfTrackDecoder.h"
 
@@ -14,8 +15,6 @@ namespace cslf
 {
 namespace
 {
-constexpr int ColorBytes = 4;
-
 bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packets)
 {
   for (const CodedFrame& frame : part.Frames)

@@ -45,9 +45,6 @@ constexpr int TexelsPerView = 1024;
 /// The rings of key views that are asked besides the four around a viewpoint, with geometry.
 constexpr int RingsWithGeometry = 1;
 
-constexpr double Peak = 255.0;
-constexpr double MostPSNR = 100.0;
-
 /// The viewpoints of a face that are not key views, each once. Any number of the first ones is
 /// evenly spread.
 class ViewSequence
@@ -232,7 +229,8 @@ double CompareDisplayed(
   {
     const double shown = truth.AreFloats() ? LinearToSRGB(exposure * color[component])
                                            : std::clamp(color[component], 0.0, 1.0);
-    const double difference = std::round(Peak * shown) - truth.GetShown(texel, component, exposure);
+    const double difference =
+      std::round(MaximumLevel * shown) - truth.GetShown(texel, component, exposure);
     squares += difference * difference;
   }
   return squares;
@@ -390,7 +388,7 @@ bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int 
       return false;
     }
   }
-  psnr = PSNR(FindLargestMean(faces), Peak, MostPSNR);
+  psnr = PSNR(FindLargestMean(faces), MaximumLevel, MaximumPSNR);
   return true;
 }
 }

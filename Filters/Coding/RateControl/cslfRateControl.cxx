@@ -31,8 +31,6 @@ constexpr double ErrorTolerance = 0.07;
 /// correct the errors of others by very different quality.
 constexpr double MostChange = 3.0;
 
-constexpr double MostPSNR = 100.0;
-constexpr double Peak = 255.0;
 constexpr double RawTexelBytes = 3.0;
 
 /// Sums and logarithms of costs up to this are finite.
@@ -143,7 +141,7 @@ double RateControl::GetGoal() const
   switch (this->Target.Kind)
   {
     case RateTarget::Kinds::PSNR:
-      return raw * Peak * Peak * std::pow(10.0, -0.1 * this->Target.Value);
+      return raw * MaximumLevel * MaximumLevel * std::pow(10.0, -0.1 * this->Target.Value);
     case RateTarget::Kinds::Ratio:
       return raw / this->Target.Value - container;
     default:
@@ -179,7 +177,7 @@ std::string RateControl::DescribeReach(double level) const
   {
     case RateTarget::Kinds::PSNR:
       text << "a PSNR of " << this->Target.Value << " dB cannot be met: at a rate factor of "
-           << level << " it is about " << PSNR(found / raw, Peak, MostPSNR) << " dB";
+           << level << " it is about " << PSNR(found / raw, MaximumLevel, MaximumPSNR) << " dB";
       break;
     case RateTarget::Kinds::Ratio:
       text << "a ratio of " << this->Target.Value << ":1 cannot be met: at a rate factor of "
@@ -303,6 +301,6 @@ double RateControl::GetMeanFactor() const
 double RateControl::GetPSNR() const
 {
   const double values = RawTexelBytes * this->MeasuredFrames * this->Field.FrameTexels;
-  return values > 0.0 ? PSNR(this->SquaredError / values, Peak, MostPSNR) : 0.0;
+  return values > 0.0 ? PSNR(this->SquaredError / values, MaximumLevel, MaximumPSNR) : 0.0;
 }
 }

@@ -14,8 +14,6 @@ namespace cslf
 {
 namespace
 {
-constexpr int Size = CenterSurfaces::Size;
-
 /// Samples are on a surface if they lie this close to its plane, in widths of a texel there.
 constexpr double ReachOfTexel = 0.75;
 
@@ -34,7 +32,7 @@ CSLF_VECTORIZE int MarkNear(const RTCRayHit16& query, const int* active, const f
   const float* y, const float* z, const float* offset, const float* reach, int* own)
 {
   int others = 0;
-  for (int lane = 0; lane < Size; ++lane)
+  for (int lane = 0; lane < CenterSurfaces::Size; ++lane)
   {
     const float t = query.ray.tfar[lane];
     const float height = x[lane] * (query.ray.org_x[lane] + t * query.ray.dir_x[lane]) +
@@ -53,14 +51,14 @@ CSLF_VECTORIZE int MarkNear(const RTCRayHit16& query, const int* active, const f
 
 CenterSurfaces::CenterSurfaces()
 {
-  std::fill_n(this->Reach, Size, -1.0f);
+  std::fill_n(this->Reach, CenterSurfaces::Size, -1.0f);
 }
 
 void CenterSurfaces::Find(const PacketHits& centers, const RayGrid& grid)
 {
   const double width = std::max(glm::length(grid.DirectionX), glm::length(grid.DirectionY));
   const double fixed = std::max(glm::length(grid.OriginX), glm::length(grid.OriginY));
-  for (int lane = 0; lane < Size; ++lane)
+  for (int lane = 0; lane < CenterSurfaces::Size; ++lane)
   {
     if (!centers.Rays.Active[lane] || !centers.Rays.IsHit(lane))
     {
@@ -85,19 +83,19 @@ void CenterSurfaces::Find(const PacketHits& centers, const RayGrid& grid)
   }
 }
 
-bool CenterSurfaces::FindSamples(const PacketHits& samples, int own[Size]) const
+bool CenterSurfaces::FindSamples(const PacketHits& samples, int own[CenterSurfaces::Size]) const
 {
-  std::fill_n(own, Size, -1);
+  std::fill_n(own, CenterSurfaces::Size, -1);
   // Surfaces that rays pass at random would otherwise hide what is behind them.
   if (!this->SelectsAny || samples.Rays.MeetsVeils)
   {
     return false;
   }
-  alignas(64) float planes[5][Size];
+  alignas(64) float planes[5][CenterSurfaces::Size];
   const float* const texels[5] = { this->X, this->Y, this->Z, this->Offset, this->Reach };
   for (int i = 0; i < 5; ++i)
   {
-    for (int lane = 0; lane < Size; ++lane)
+    for (int lane = 0; lane < CenterSurfaces::Size; ++lane)
     {
       planes[i][lane] = texels[i][samples.Group.GetTexel(lane)];
     }

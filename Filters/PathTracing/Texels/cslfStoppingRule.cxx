@@ -19,8 +19,6 @@ namespace
 // sample at a random place in its texel is then about half the target.
 constexpr float RangeOfTarget = 8.0f;
 
-constexpr int Size = TexelSums::Size;
-
 /// Joins the bounds of two halves.
 template <int Half>
 inline void Fold(float* lows, float* highs)
@@ -35,19 +33,19 @@ inline void Fold(float* lows, float* highs)
 /// Extends bounds by the values inside.
 CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& low, float& high)
 {
-  float lows[Size];
-  float highs[Size];
-  for (int lane = 0; lane < Size; ++lane)
+  float lows[TexelSums::Size];
+  float highs[TexelSums::Size];
+  for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
     const float forLow = inside[lane] ? values[lane] : low;
     const float forHigh = inside[lane] ? values[lane] : high;
     lows[lane] = forLow < low ? forLow : low;
     highs[lane] = forHigh > high ? forHigh : high;
   }
-  Fold<Size / 2>(lows, highs);
-  Fold<Size / 4>(lows, highs);
-  Fold<Size / 8>(lows, highs);
-  Fold<Size / 16>(lows, highs);
+  Fold<TexelSums::Size / 2>(lows, highs);
+  Fold<TexelSums::Size / 4>(lows, highs);
+  Fold<TexelSums::Size / 8>(lows, highs);
+  Fold<TexelSums::Size / 16>(lows, highs);
   low = lows[0];
   high = highs[0];
 }
@@ -85,7 +83,7 @@ void ColorBounds::AddCoverage(const int* covered, const int* inside)
 {
   int someCovered = 0;
   int someEmpty = 0;
-  for (int lane = 0; lane < Size; ++lane)
+  for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
     const int isCovered = covered[lane] != 0 ? -1 : 0;
     someCovered |= inside[lane] & isCovered;
@@ -106,12 +104,12 @@ bool StoppingRule::IsPlain(const ColorBounds& seen) const
   return !seen.AreMixed() && seen.GetRange(this->Display) <= RangeOfTarget * this->Target;
 }
 
-void StoppingRule::TakeByOthers(
-  const bool needs[Size], const bool lacks[Size], const int inside[Size], TexelSums& sums)
+void StoppingRule::TakeByOthers(const bool needs[TexelSums::Size],
+  const bool lacks[TexelSums::Size], const int inside[TexelSums::Size], TexelSums& sums)
 {
   int texels = 0;
   int needing = 0;
-  for (int texel = 0; texel < Size; ++texel)
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     texels += inside[texel] ? 1 : 0;
     needing += inside[texel] && needs[texel] ? 1 : 0;
@@ -119,8 +117,8 @@ void StoppingRule::TakeByOthers(
   if (texels > 1 && needing <= 1)
   {
     // A single texel that needs more has enough itself, as none of the others needs more.
-    int enough[Size];
-    for (int texel = 0; texel < Size; ++texel)
+    int enough[TexelSums::Size];
+    for (int texel = 0; texel < TexelSums::Size; ++texel)
     {
       const bool isEnough = !lacks[texel] && (needing == 0 || needs[texel]);
       enough[texel] = !inside[texel] || isEnough ? -1 : 0;
@@ -130,12 +128,12 @@ void StoppingRule::TakeByOthers(
 }
 
 void StoppingRule::TakeSingle(
-  const ColorBounds& expected, const int inside[Size], TexelSums& sums) const
+  const ColorBounds& expected, const int inside[TexelSums::Size], TexelSums& sums) const
 {
-  bool needs[Size] = {};
-  bool lacks[Size];
-  int own[Size];
-  for (int texel = 0; texel < Size; ++texel)
+  bool needs[TexelSums::Size] = {};
+  bool lacks[TexelSums::Size];
+  int own[TexelSums::Size];
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count == 0;
     own[texel] = lacks[texel] ? 0 : inside[texel];
@@ -143,11 +141,12 @@ void StoppingRule::TakeSingle(
   ColorBounds all = expected;
   all.AddCoverage(sums.Covered, inside);
   all.Add(sums, own);
-  const bool areFollowed = std::any_of(sums.Paths, sums.Paths + Size, [](int n) { return n > 0; });
+  const bool areFollowed =
+    std::any_of(sums.Paths, sums.Paths + TexelSums::Size, [](int n) { return n > 0; });
   if (areFollowed || !this->IsPlain(all))
   {
-    int one[Size] = {};
-    for (int texel = 0; texel < Size; ++texel)
+    int one[TexelSums::Size] = {};
+    for (int texel = 0; texel < TexelSums::Size; ++texel)
     {
       one[texel] = lacks[texel] ? 0 : -1;
       ColorBounds bounds = expected;
@@ -160,15 +159,15 @@ void StoppingRule::TakeSingle(
 }
 
 void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
-  const int inside[Size], TexelSums& sums) const
+  const int inside[TexelSums::Size], TexelSums& sums) const
 {
   if (expected.AreMixed() && this->IsNoisyOutline(0.5f, sums.Samples))
   {
     return;
   }
-  bool needs[Size];
-  bool lacks[Size];
-  for (int texel = 0; texel < Size; ++texel)
+  bool needs[TexelSums::Size];
+  bool lacks[TexelSums::Size];
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count < FewestForVariance;
     needs[texel] = lacks[texel] || (inside[texel] && this->IsNoisy(sums, texel, elsewhere));
@@ -205,7 +204,7 @@ bool StoppingRule::IsNoisy(const TexelSums& sums, int texel, const glm::vec3& el
 PathVariance StoppingRule::GetVariance(const TexelSums& sums)
 {
   PathVariance variance;
-  for (int texel = 0; texel < Size; ++texel)
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     const ColorSamples samples = sums.GetColorSamples(texel);
     if (sums.Paths[texel] > 0 && samples.Count >= FewestForVariance)

@@ -11,14 +11,12 @@ namespace cslf
 {
 namespace
 {
-constexpr int Size = TexelSums::Size;
-
 /// Marks hits that are nearer to their texels' centres than all before.
 CSLF_VECTORIZE void FindNearest(const PacketHits& hits, float* offsets, int* nearest)
 {
-  alignas(64) float squares[Size]; // the largest values if nothing is hit
+  alignas(64) float squares[TexelSums::Size]; // the largest values if nothing is hit
   CSLF_LANE_LOOP
-  for (int lane = 0; lane < Size; ++lane)
+  for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
     const float offsetX = hits.Places.X[lane] - 0.5f;
     const float offsetY = hits.Places.Y[lane] - 0.5f;
@@ -26,7 +24,7 @@ CSLF_VECTORIZE void FindNearest(const PacketHits& hits, float* offsets, int* nea
     const float square = offsetX * offsetX + offsetY * offsetY;
     squares[lane] = isHit ? square : std::numeric_limits<float>::max();
   }
-  for (int first = 0; first < Size; first += hits.Group.Size)
+  for (int first = 0; first < TexelSums::Size; first += hits.Group.Size)
   {
     CSLF_LANE_LOOP
     for (int i = 0; i < hits.Group.Size; ++i)
@@ -40,8 +38,8 @@ CSLF_VECTORIZE void FindNearest(const PacketHits& hits, float* offsets, int* nea
 
 CSLF_VECTORIZE void AddCovered(int* sums, const TexelGroup& group, const int* covered)
 {
-  alignas(64) int counts[Size];
-  for (int lane = 0; lane < Size; ++lane)
+  alignas(64) int counts[TexelSums::Size];
+  for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
     counts[lane] = -covered[lane];
   }
@@ -51,8 +49,8 @@ CSLF_VECTORIZE void AddCovered(int* sums, const TexelGroup& group, const int* co
 CSLF_VECTORIZE void AddSquare(
   float* sums, const TexelGroup& group, const float* values, const int* own)
 {
-  alignas(64) float squares[Size];
-  for (int lane = 0; lane < Size; ++lane)
+  alignas(64) float squares[TexelSums::Size];
+  for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
     squares[lane] = own[lane] ? values[lane] * values[lane] : 0.0f;
   }
@@ -74,7 +72,7 @@ std::vector<KnownChannel> TexelSums::ListChannels()
 TexelSums::TexelSums(const ViewpointSamples& output)
   : Output(&output)
 {
-  std::fill_n(this->NearestOffset, Size, std::numeric_limits<float>::max());
+  std::fill_n(this->NearestOffset, TexelSums::Size, std::numeric_limits<float>::max());
 }
 
 template <typename Self, typename Function>
@@ -94,7 +92,7 @@ bool TexelSums::NeedsNearest() const
 
 void TexelSums::KeepNearest(const PacketHits& hits)
 {
-  alignas(64) int nearest[Size];
+  alignas(64) int nearest[TexelSums::Size];
   FindNearest(hits, this->NearestOffset, nearest);
   ForEach(*this, [&](auto& sum) { sum.KeepNearest(hits, nearest); });
 }
@@ -137,10 +135,10 @@ ColorSamples TexelSums::GetColorSamples(int texel) const
     { this->Squares.Red[texel], this->Squares.Green[texel], this->Squares.Blue[texel] } };
 }
 
-CSLF_VECTORIZE void TexelSums::Take(const int texels[Size])
+CSLF_VECTORIZE void TexelSums::Take(const int texels[TexelSums::Size])
 {
-  alignas(64) int taking[Size];
-  for (int texel = 0; texel < Size; ++texel)
+  alignas(64) int taking[TexelSums::Size];
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     taking[texel] = this->TakenSamples[texel] == 0 ? texels[texel] : 0;
     this->TakenSamples[texel] = taking[texel] ? this->Samples : this->TakenSamples[texel];
@@ -152,17 +150,17 @@ CSLF_VECTORIZE void TexelSums::Take(const int texels[Size])
 
 void TexelSums::TakeAll()
 {
-  int all[Size];
-  std::fill_n(all, Size, -1);
+  int all[TexelSums::Size];
+  std::fill_n(all, TexelSums::Size, -1);
   this->Take(all);
 }
 
-void TexelSums::Write(
-  double exposure, const int inside[Size], const std::int64_t indices[Size]) const
+void TexelSums::Write(double exposure, const int inside[TexelSums::Size],
+  const std::int64_t indices[TexelSums::Size]) const
 {
   WrittenTexels texels;
   texels.Exposure = exposure;
-  for (int texel = 0; texel < Size; ++texel)
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     if (inside[texel])
     {
