@@ -19,6 +19,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 
 #include <CLI/CLI.hpp>
 
@@ -76,11 +77,15 @@ Result RunPath(const Options& options)
   const int lookup = FindLookup(name);
   // The first picture uploads the field to graphics memory, so its time does not count as a frame.
   renderer.Draw(cameras.front(), lookup);
+  vtkNew<vtkAlgorithm> drawing;
+  const ProgressBar bar(drawing, "Drawing");
   std::vector<double> seconds;
   for (const auto& camera : cameras)
   {
     seconds.push_back(renderer.Draw(camera, lookup));
     writer->Add(renderer.Grab());
+    drawing->UpdateProgress(
+      static_cast<double>(seconds.size()) / static_cast<double>(cameras.size()));
   }
   writer->Finish();
   Result result;

@@ -11,6 +11,7 @@
 #include <X11/Xlib.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -75,6 +76,9 @@ constexpr int LastDisplay = 299;
 /// The exit code of a child that found no server.
 constexpr int NotFound = 127;
 
+/// How long a server may take until it is ready.
+constexpr int AnswerMilliseconds = 60000;
+
 /// Xvfb as a child process. It ends with this one, however that ends.
 class VirtualServer
 {
@@ -120,9 +124,20 @@ private:
     }
     ::close(ends[1]);
     const File answer(::fdopen(ends[0], "r"), std::fclose);
+    if (this->Process < 0)
+    {
+      return false;
+    }
+    pollfd ready{ ends[0], POLLIN, 0 };
+    if (::poll(&ready, 1, AnswerMilliseconds) == 0)
+    {
+      ::kill(this->Process, SIGKILL);
+      this->Stop();
+      throw Failure("Drawing needs an X server, and the program Xvfb does not answer.");
+    }
     // The server writes its number when it is ready. Without a server there is only the end.
     int written = -1;
-    return this->Process > 0 && std::fscanf(answer.get(), "%d", &written) == 1;
+    return std::fscanf(answer.get(), "%d", &written) == 1;
   }
 
   /// In the child, which may only call what signals may call.
