@@ -12,7 +12,7 @@ list(APPEND classes
 cslf_add(Filters DecimalPoint Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
-cslf_add(Filters/Files AtomicFile FileLock FileSystem JSONFile Libraries LockedFile WorkFolder)
+cslf_add(Filters/Files AtomicFile FileSystem JSONFile Libraries LockedFile WorkFolder)
 if (WIN32)
   cslf_add(Filters/Files/Windows FileSystem LockedFile Windows)
 else ()
@@ -66,22 +66,22 @@ cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExpos
 cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits)
 cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
-  Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes PatchedFile)
+  Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows DepthCurve DepthFill FrameConverter FrameOrder PerceptualQuantizer
+  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PerceptualQuantizer
   PushPull RadianceFrames TexelBytes TexelRows Track)
 cslf_add(Filters/Coding/Groups CodingTask GroupDecoder TrackDecoder)
 cslf_add(Filters/Coding/Reading
-  BackgroundSteps BackgroundThread FieldReader ViewpointCache ViewpointStore)
+  BackgroundSteps BackgroundThread FieldReader ViewpointStore)
 
 # The encoder.
 if (CSLF_ENABLE_ENCODER)
   list(APPEND classes ../Filters/vtkCSLFEncoder)
   cslf_add(Filters/Coding/Codecs EncoderContext VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
-  cslf_add(Filters/Coding/Groups GroupCodec GroupCoder GroupError)
+  cslf_add(Filters/Coding/Groups GroupCodec GroupCoder)
   cslf_add(Filters/Coding/RateControl
-    EncodeProbe GroupStages HeldOutViews RateControl RateModel TrackFactors)
+    EncodeProbe HeldOutViews RateControl RateModel)
   cslf_add(Filters/Coding/Writing
     EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCache Part PartStore
     SlicePuller)
@@ -110,15 +110,15 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
   cslf_add(Filters/PathTracing/Lights
-    DirectionalLight DirectLight Emitter Environment EnvironmentReader LightBounds LightReader
+    DirectionalLight DirectLight Environment EnvironmentReader LightBounds LightReader
     LightSample LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DiffuseLobe DisplayedColor FacetLobe Frame Fresnel GGX ImageCurve Lambert Lobe
+    BSDF DisplayedColor Frame Fresnel GGX ImageCurve Lambert Lobe
     MaterialParameters MaterialProblems SurfaceColors SurfaceMaterial Texture TextureReader)
   cslf_add(Filters/PathTracing/Paths
-    PathBatch PathIntegrator PathPacket PathStep Roulette ScatterLanes SurfaceLanes)
+    PathBatch PathIntegrator PathPacket PathStep ScatterLanes SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
-    CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours ClosedBodies
+    CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies
     DiffuseEstimator DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder
     LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum
     LayoutProgress MeshEdges OpenSides PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight
@@ -129,13 +129,13 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
-    CenterSurfaces ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
+    CenterSurfaces ChannelSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF
-    GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
+    GLTFDocument GLTFMaterials GLTFPrimitives GLTFProblems
     GLTFValue)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock

@@ -7,7 +7,7 @@ list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
   ClosedParts DrawnViews FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture
-  LookupTools OpenGL Residency SurfacePicture TilePool ViewFrustum ViewpointLevels)
+  LookupTools OpenGL Residency TilePool ViewFrustum ViewpointLevels)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS

@@ -8,11 +8,14 @@
 #include "cslfEntryGLSL.h"
 #include "cslfFieldGLSL.h"
 #include "cslfFlatUniforms.h"
+#include "cslfGeometryFS.h"
+#include "cslfGeometryVS.h"
 #include "cslfGuessGLSL.h"
 #include "cslfLookupConstantsGLSL.h"
 #include "cslfLookupGLSL.h"
 #include "cslfMeanFS.h"
 #include "cslfNormalsGLSL.h"
+#include "cslfOpenGL.h"
 #include "cslfPictureFS.h"
 #include "cslfPictureVS.h"
 #include "cslfSceneGridGLSL.h"
@@ -21,18 +24,231 @@
 #include "cslfToneMappingGLSL.h"
 #include "vtkCSLFMapper.h"
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <vtkDataArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLBufferObject.h>
 #include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLIndexBufferObject.h>
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkOpenGLVertexArrayObject.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
+#include <cstdint>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace cslf
 {
+namespace
+{
+/// Whether the near side of the display cuts the cube open.
+bool IsCut(const DisplayRows& ccdc)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 point(
+      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0, 1.0);
+    if (glm::dot(ccdc[2] + ccdc[3], point) < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether what is counterclockwise appears clockwise. Display coordinates are left-handed.
+bool IsMirrored(const DisplayRows& ccdc)
+{
+  return glm::determinant(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3])) > 0.0;
+}
+}
+
+SurfacePicture::SurfacePicture() = default;
+
+SurfacePicture::~SurfacePicture() = default;
+
+void SurfacePicture::Allocate(
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType)
+{
+  if (this->Size == size && this->Points->GetHandle() != 0 &&
+    this->Colors->GetVTKDataType() == colorType)
+  {
+    return;
+  }
+  this->Size = size;
+  for (vtkTextureObject* texture : { this->Points.Get(), this->Colors.Get(), this->Depths.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+    texture->SetContext(window);
+    texture->ResetFormatAndType();
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+  const auto width = static_cast<unsigned int>(size[0]);
+  const auto height = static_cast<unsigned int>(size[1]);
+  this->Points->Allocate2D(width, height, 4, VTK_FLOAT);
+  this->Colors->Allocate2D(width, height, 4, colorType);
+  this->Depths->AllocateDepth(width, height, vtkTextureObject::Float32);
+}
+
+void SurfacePicture::Upload()
+{
+  this->PointBuffer->Upload(&this->Mesh->PointsCC.front().x, 3 * this->Mesh->PointsCC.size(),
+    vtkOpenGLBufferObject::ArrayBuffer);
+  this->ColorBuffer->Upload(&this->Mesh->Colors.front().x, 4 * this->Mesh->Colors.size(),
+    vtkOpenGLBufferObject::ArrayBuffer);
+  if (!this->Mesh->BackColors.empty())
+  {
+    this->BackColorBuffer->Upload(&this->Mesh->BackColors.front().x,
+      4 * this->Mesh->BackColors.size(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  this->Triangles.IBO->Upload(this->Mesh->Corners, vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->Triangles.IBO->IndexCount = this->Mesh->Corners.size();
+}
+
+void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
+{
+  const bool hasBackColors = !this->Mesh->BackColors.empty();
+  const std::string options = (hasBackColors ? std::string("#define BACK_COLORS\n") : "") +
+    (planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
+  std::string vertex = cslfGeometryVS;
+  std::string fragment = cslfGeometryFS;
+  vtkShaderProgram::Substitute(vertex, "//CSLF::Options::Dec", options);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec", options);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Normals::Dec", cslfNormalsGLSL);
+  this->Triangles.Program =
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  this->Triangles.VAO->Bind();
+  this->PointBuffer->Bind();
+  this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->PointBuffer, "vertexCC", 0,
+    3 * sizeof(float), VTK_FLOAT, 3, false);
+  this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->ColorBuffer, "vertexColor",
+    0, 4 * sizeof(float), VTK_FLOAT, 4, false);
+  if (hasBackColors)
+  {
+    this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->BackColorBuffer,
+      "vertexBackColor", 0, 4 * sizeof(float), VTK_FLOAT, 4, false);
+  }
+}
+
+void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+  const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
+  const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, int colorType)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->Allocate(window, size, colorType);
+  const bool isNew = std::exchange(this->Mesh, mesh) != mesh;
+  if (isNew)
+  {
+    this->Upload();
+  }
+  if (isNew || !this->Triangles.Program || this->Planes != planesCC.size())
+  {
+    this->Planes = planesCC.size();
+    this->Triangles.VAO->ReleaseGraphicsResources();
+    this->Build(window, this->Planes);
+  }
+  window->GetShaderCache()->ReadyShaderProgram(this->Triangles.Program);
+  framebuffer->SetContext(window);
+  framebuffer->Bind();
+  framebuffer->AddColorAttachment(0, this->Points);
+  framebuffer->AddColorAttachment(1, this->Colors);
+  framebuffer->RemoveDepthAttachment();
+  framebuffer->AddDepthAttachment(this->Depths);
+  framebuffer->ActivateDrawBuffers(2);
+  state->vtkglViewport(0, 0, size[0], size[1]);
+  state->vtkglScissor(0, 0, size[0], size[1]);
+  const float nothing[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
+  const float farthest = 1.0F;
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  state->vtkglEnable(GL_DEPTH_TEST);
+
+  vtkShaderProgram* program = this->Triangles.Program;
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(&ccdc[0].x);
+  matrix->Transpose(); // GLSL's matrices are stored by columns.
+  program->SetUniformMatrix("CCDCMatrix", matrix);
+  if (!mesh->BackColors.empty())
+  {
+    program->SetUniformi("IsMirrored", IsMirrored(ccdc) ? 1 : 0);
+  }
+  std::vector<std::array<float, 4>> planes;
+  planes.reserve(planesCC.size());
+  for (const glm::dvec4& planeCC : planesCC)
+  {
+    const glm::vec4 plane(planeCC);
+    planes.push_back({ plane.x, plane.y, plane.z, plane.w });
+  }
+  if (!planes.empty())
+  {
+    program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
+      reinterpret_cast<const float(*)[4]>(planes.data()));
+  }
+  this->DrawTriangles(state, !isEyeInside && planesCC.empty() && !IsCut(ccdc) && !IsMirrored(ccdc));
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+// Half of the triangles of closed parts face away from the eye.
+void SurfacePicture::DrawTriangles(vtkOpenGLState* state, bool hidesBacks)
+{
+  this->Triangles.VAO->Bind();
+  this->Triangles.IBO->Bind();
+  const std::size_t closed = hidesBacks ? this->Mesh->ClosedCorners : 0;
+  const auto draw = [](std::size_t first, std::size_t end)
+  {
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+  };
+  state->vtkglCullFace(GL_BACK);
+  state->vtkglEnable(GL_CULL_FACE);
+  draw(0, closed);
+  state->vtkglDisable(GL_CULL_FACE);
+  draw(closed, this->Triangles.IBO->IndexCount);
+  this->Triangles.IBO->Release();
+  this->Triangles.VAO->Release();
+}
+
+void SurfacePicture::Activate()
+{
+  this->Points->Activate();
+  this->Colors->Activate();
+}
+
+void SurfacePicture::Deactivate()
+{
+  this->Points->Deactivate();
+  this->Colors->Deactivate();
+}
+
+void SurfacePicture::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniformi("SurfacePoints", this->Points->GetTextureUnit());
+  program->SetUniformi("SurfaceColors", this->Colors->GetTextureUnit());
+}
+
+void SurfacePicture::Release(vtkWindow* window)
+{
+  this->Points->ReleaseGraphicsResources(window);
+  this->Colors->ReleaseGraphicsResources(window);
+  this->Depths->ReleaseGraphicsResources(window);
+  this->PointBuffer->ReleaseGraphicsResources();
+  this->ColorBuffer->ReleaseGraphicsResources();
+  this->BackColorBuffer->ReleaseGraphicsResources();
+  this->Triangles.ReleaseGraphicsResources(window);
+  this->Triangles.Program = nullptr;
+  this->Mesh.reset();
+}
+
 void LookupTarget::Allocate(
   vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks)
 {

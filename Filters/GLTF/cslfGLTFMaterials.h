@@ -8,18 +8,35 @@
 #define cslfGLTFMaterials_h
 
 #include "cslfGLTFDocument.h"
-#include "cslfGLTFImages.h"
 #include "cslfGLTFProblems.h"
 
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
 #include <cstddef>
 #include <map>
+#include <utility>
 
 namespace cslf
 {
+class GLTFImages
+{
+public:
+  explicit GLTFImages(GLTFDocument& document);
+
+  /// An image of 8 bits with 1 to 4 components, with or without its alpha. It is decoded once.
+  /// Throws a GLTFError on failure.
+  vtkSmartPointer<vtkImageData> Get(std::size_t index, bool dropAlpha);
+
+private:
+  vtkSmartPointer<vtkImageData> Read(std::size_t index);
+
+  GLTFDocument& Document;
+  std::map<std::pair<std::size_t, bool>, vtkSmartPointer<vtkImageData>> Known;
+};
+
 /// Which texture coordinates a texture uses, and how it changes them (KHR_texture_transform).
 struct GLTFTextureMapping
 {

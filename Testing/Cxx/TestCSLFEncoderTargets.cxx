@@ -4,7 +4,7 @@
 // Files of a wanted size, ratio or quality: met within 3 % or 0.3 dB, with the same bytes for any
 // number of threads, without requesting any viewpoint more than twice; and targets that cannot be
 // reached.
-#include "Coding/RateControl/cslfGroupStages.h"
+#include "Coding/RateControl/cslfRateControl.h"
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"

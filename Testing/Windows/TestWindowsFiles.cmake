@@ -22,7 +22,6 @@ execute_process(
     "${filters}/Coding/Reading/cslfBackgroundThread.cxx"
     "${filters}/Files/Windows/cslfFileSystem.cxx"
     "${filters}/Files/Windows/cslfLockedFile.cxx"
-    "${filters}/Files/cslfFileLock.cxx"
     "${filters}/Files/cslfFileSystem.cxx"
     "${filters}/Files/cslfAtomicFile.cxx"
     "${filters}/Files/cslfWorkFolder.cxx"

@@ -7,16 +7,44 @@
 #ifndef cslfContainerReader_h
 #define cslfContainerReader_h
 
+#include "Coding/Codecs/cslfAV.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfFileHeader.h"
-#include "cslfPatchedFile.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace cslf
 {
+class InputFile;
+
+class PatchedFile
+{
+public:
+  /// The file must outlive this object. The numbers have 32 bits. `places` are their offsets in
+  /// bytes, in ascending order.
+  PatchedFile(const InputFile& file, std::vector<std::uint64_t> places);
+  ~PatchedFile();
+
+  PatchedFile(const PatchedFile&) = delete;
+  PatchedFile& operator=(const PatchedFile&) = delete;
+
+  /// FFmpeg's input, valid as long as this object.
+  AVIOContext* GetContext() const { return this->Context; }
+
+private:
+  static int Read(void* self, std::uint8_t* bytes, int count);
+  static std::int64_t Seek(void* self, std::int64_t offset, int whence);
+  void Patch(std::uint64_t begin, std::uint8_t* bytes, std::uint64_t count) const;
+
+  const InputFile& File;
+  std::uint64_t Position = 0; ///< where FFmpeg reads next
+  std::vector<std::uint64_t> Places;
+  AVIOContext* Context = nullptr;
+};
+
 /// The packets of one group, in decoding order for each track of the header. Their times are the
 /// frames' places in the group.
 struct GroupPackets

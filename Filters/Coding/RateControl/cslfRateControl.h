@@ -11,8 +11,8 @@
 #ifndef cslfRateControl_h
 #define cslfRateControl_h
 
-#include "cslfGroupStages.h"
 #include "cslfRateModel.h"
+#include "vtkCSLFModule.h"
 
 #include <functional>
 #include <string>
@@ -20,6 +20,23 @@
 
 namespace cslf
 {
+class VTKCSLF_EXPORT GroupStages
+{
+public:
+  /// For so many groups.
+  explicit GroupStages(int count);
+
+  int GetStageCount() const { return this->StageCount; }
+
+  /// The groups of a stage, ascending. Stage 0 is the sample: every n-th group, where n is a power
+  /// of two from 1 to 16 for which there are at least 24, unless there are fewer groups.
+  std::vector<int> GetGroups(int stage) const;
+
+private:
+  std::vector<int> Stages; ///< of each group
+  int StageCount = 1;
+};
+
 /// The user's target for a file.
 struct RateTarget
 {

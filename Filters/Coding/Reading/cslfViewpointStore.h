@@ -10,19 +10,51 @@
 
 #include "Coding/Groups/cslfGroupDecoder.h"
 #include "cslfBackgroundSteps.h"
-#include "cslfViewpointCache.h"
+#include "cslfViewpointSamples.h"
 
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <list>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace cslf
 {
+/// Keeps the most recently used viewpoints, by slice. Only one thread may use it at a time.
+class ViewpointCache
+{
+public:
+  /// The maximum number of kept viewpoints. Surplus ones are dropped at once.
+  void SetCapacity(std::size_t capacity);
+  std::size_t GetCapacity() const { return this->Capacity; }
+
+  bool Has(int slice) const { return this->Places.count(slice) != 0; }
+
+  /// Nothing if it is not kept. A viewpoint that is found counts as used. A damaged one is empty.
+  std::optional<ViewpointSamples> Find(int slice);
+
+  void Insert(int slice, ViewpointSamples viewpoint);
+
+private:
+  struct Entry
+  {
+    int Slice = 0;
+    ViewpointSamples Content;
+  };
+
+  void Shrink();
+
+  std::size_t Capacity = 0;
+  std::list<Entry> Entries; ///< the most recently used one comes first
+  std::unordered_map<int, std::list<Entry>::iterator> Places;
+};
+
 /// All methods may be called by several threads at once. Those that decode throw std::bad_alloc if
 /// there is not enough memory; background work then leaves the viewpoints to later requests.
 class ViewpointStore

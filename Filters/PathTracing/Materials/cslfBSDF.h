@@ -10,8 +10,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfDiffuseLobe.h"
-#include "cslfFacetLobe.h"
+#include "cslfLambert.h"
 #include "cslfLobe.h"
 #include "cslfSurfaceMaterial.h"
 
@@ -24,6 +23,130 @@
 
 namespace cslf
 {
+/**
+ * Facets of metal, of an opaque dielectric and of glass, in the proportions given by the material,
+ * with GGX normals: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR
+ * 2007. Directions are local and point away from the surface, z being the normal on the outgoing
+ * direction's side; incident directions below the surface are those of refracted light.
+ *
+ * Radiance grows with the squared index of refraction of its medium, because its rays are
+ * compressed into a smaller solid angle; this factor is called compression here. If the index is 1,
+ * light goes straight through glass of any roughness.
+ */
+class VTKCSLF_EXPORT FacetLobe
+{
+public:
+  static constexpr Lobes Kind = Lobes::Specular;
+
+  static bool IsIn(const SurfaceMaterial& material)
+  {
+    return material.IndexOfRefraction != 1.0f || material.Metallic > 0.0f ||
+      material.Transmission > 0.0f;
+  }
+
+  /// `inside` tells whether the outgoing direction lies behind the surface, in the glass.
+  FacetLobe(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
+    bool inside);
+
+  bool IsSmooth() const
+  {
+    return this->Alpha == 0.0f || (this->Metallic == 0.0f && this->Index == 1.0f);
+  }
+
+  float GetImportance() const;
+
+  /// BSDF times the cosine at the incident direction, without smooth parts.
+  glm::vec3 EvaluateCosine(const glm::vec3& incident) const;
+
+  /// The density with which Sample takes a direction, without smooth parts.
+  float Pdf(const glm::vec3& incident) const;
+
+  /// Chooses a facet by `u`, and whether it reflects or refracts by `which`. False if the direction
+  /// lies on the wrong side.
+  bool Sample(float which, const glm::vec2& u, LobeSample& sample) const;
+
+private:
+  float GlassFresnel(float cosine) const;
+  glm::vec3 GetReflectance(float cosine) const { return this->GetReflectance(cosine, cosine); }
+  glm::vec3 GetReflectance(float cosine, float glassCosine) const;
+  glm::vec3 GetTransmittance(float cosine) const;
+  float GetCompression() const { return this->Straight ? 1.0f : 1.0f / (this->Eta * this->Eta); }
+  float ReflectionProbability(float cosine) const;
+  float RefractionDensity(const glm::vec3& incident, float& cosine) const;
+  glm::vec3 Refract(const glm::vec3& facet, float cosine) const;
+
+  glm::vec3 Outgoing;
+  glm::vec3 BaseColor;
+  float Metallic;
+  float Opaque; // the share of the opaque dielectric
+  float Glass;  // the share of the glass
+  float Index;  // of refraction, behind the surface
+  float Eta;    // the index of the far side over that of the outgoing direction's
+  float Alpha;  // GGX's
+  bool Thin;
+  bool Straight; // whether light goes through without refraction
+};
+
+/**
+ * The base gets the light that the boundary transmits, (1 - E(out)) (1 - E(in)) / (1 - mean E) with
+ * E the boundary's albedo: unlike glTF's example code, this never reflects more than it receives
+ * (Kelemen and Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics
+ * 2001 short papers).
+ */
+class DiffuseLobe
+{
+public:
+  static constexpr Lobes Kind = Lobes::Diffuse;
+
+  static bool IsIn(const SurfaceMaterial& material) { return material.Transmission < 1.0f; }
+
+  DiffuseLobe(
+    const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing, bool)
+    : Boundary(material.DielectricSpecular)
+    , Alpha(point.Alpha)
+    , IsLit(outgoing.z > 0.0f)
+  {
+    const float part = (1.0f - point.Metallic) * (1.0f - material.Transmission);
+    const float transmitted = 1.0f - this->Boundary.Get(outgoing.z, point.Alpha);
+    this->Albedo = point.BaseColor * (part * transmitted);
+    this->Importance = part * Luminance(point.BaseColor) * transmitted;
+  }
+
+  /// The factor that does not depend on the incident direction.
+  const glm::vec3& GetAlbedo() const { return this->Albedo; }
+
+  /// The factor that depends on it: the boundary's transmission at an incident direction of this
+  /// cosine, relative to the mean.
+  float GetTransmission(float cosine) const
+  {
+    return (1.0f - this->Boundary.Get(cosine, this->Alpha)) /
+      (1.0f - this->Boundary.GetAverage(this->Alpha));
+  }
+
+  bool IsSmooth() const { return false; }
+  float GetImportance() const { return this->Importance; }
+
+  glm::vec3 EvaluateCosine(const glm::vec3& incident) const
+  {
+    return this->IsLit && incident.z > 0.0f
+      ? this->Albedo * (this->GetTransmission(incident.z) * Lambert::EvaluateCosine(incident))
+      : glm::vec3(0.0f);
+  }
+  float Pdf(const glm::vec3& incident) const { return Lambert::Pdf(incident); }
+  bool Sample(float, const glm::vec2& u, LobeSample& sample) const
+  {
+    sample.Direction = Lambert::Sample(u);
+    return true;
+  }
+
+private:
+  const SpecularAlbedo& Boundary;
+  float Alpha;
+  bool IsLit; // whether the outgoing direction is above the surface
+  glm::vec3 Albedo;
+  float Importance;
+};
+
 struct BSDFSample
 {
   glm::vec3 Direction{ 0.0f }; ///< local

@@ -8,14 +8,31 @@
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "SIMD/cslfVectorize.h"
 #include "cslfPathIntegrator.h"
-#include "cslfRoulette.h"
 
 #include <algorithm>
+
+#include <glm/vec3.hpp>
 
 namespace cslf
 {
 namespace
 {
+// Russian roulette, which ends paths at random.
+
+// From this many reflections on, paths of little weight end early.
+constexpr int RouletteDepth = 3;
+
+// The largest probability of continuing, so that paths between white surfaces end, too.
+constexpr float LargestSurvival = 0.95f;
+
+/// The probability that a path continues, from its weight without the compression that is undone on
+/// leaving glass.
+inline float GetSurvival(const glm::vec3& beta, float compression)
+{
+  const float weight = std::max(std::max(beta.x, beta.y), beta.z) / compression;
+  return std::min(weight, LargestSurvival);
+}
+
 // The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
 constexpr float TolerancesOfMany = 8.0f;
 
