@@ -30,7 +30,8 @@ def get_file_name(value, parameter="file_name"):
 
 def find_name(value, names, parameter):
     """The index of a name, whose letters may be small or capital."""
-    if not isinstance(value, str) or value.lower() not in (known := [n.lower() for n in names]):
+    known = [name.lower() for name in names]
+    if not isinstance(value, str) or value.lower() not in known:
         raise ValueError(f"{parameter} must be one of {', '.join(names)}; it is {value!r}.")
     return known.index(value.lower())
 

@@ -56,12 +56,12 @@ def connect_field(field, mapper):
         field = field.file_name or field.sampler
     if isinstance(field, (str, bytes, os.PathLike)):
         field = open_field(get_file_name(field))
-    if isinstance(field, vtkAlgorithm):
-        field = field.GetOutputPort()
-    if isinstance(field, vtkAlgorithmOutput):
-        mapper.SetInputConnection(0, field)
-        if field.GetIndex() == 0 and has_geometry(field.GetProducer()):
-            mapper.SetInputConnection(1, field.GetProducer().GetOutputPort(1))
+    # A port does not keep its algorithm, which therefore stays in `field`.
+    port = field.GetOutputPort() if isinstance(field, vtkAlgorithm) else field
+    if isinstance(port, vtkAlgorithmOutput):
+        mapper.SetInputConnection(0, port)
+        if port.GetIndex() == 0 and has_geometry(port.GetProducer()):
+            mapper.SetInputConnection(1, port.GetProducer().GetOutputPort(1))
     elif isinstance(field, vtkImageData):
         mapper.SetInputData(field)
     else:
