@@ -70,7 +70,7 @@ int Run(const Command& command, bool isJSON)
 }
 
 /// The arguments from the last to the first, as CLI11 wants them. It would take -.5 for an option,
-/// but -0.5 for a number.
+/// but -0.5 for a number. "cslf help sample" is "cslf sample --help".
 std::vector<std::string> GetArguments(int argc, char* argv[])
 {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -81,8 +81,39 @@ std::vector<std::string> GetArguments(int argc, char* argv[])
       argument.insert(1, "0");
     }
   }
+  if (!arguments.empty() && arguments.front() == "help")
+  {
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
+}
+
+/// Reports wrong arguments. Without a command, that is the help.
+void ReportArguments(const CLI::App& app, const CLI::ParseError& error)
+{
+  std::string name = "cslf";
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty())
+  {
+    last = last->get_subcommands().front();
+    name += " " + last->get_name();
+  }
+  const std::vector<std::string> others = last->remaining();
+  if (last->get_require_subcommand_min() == 0)
+  {
+    PrintError(error.what());
+  }
+  else if (others.empty())
+  {
+    std::cerr << app.help();
+  }
+  else
+  {
+    const std::string kind = others.front().compare(0, 1, "-") == 0 ? "option " : "command ";
+    PrintError("There is no " + kind + others.front() + "; see " + name + " --help.");
+  }
 }
 
 /// Adds the common options to the commands, and to their subcommands if they have any. The numbers
@@ -145,9 +176,7 @@ int main(int argc, char* argv[])
     {
       return app.exit(error);
     }
-    const bool isUnknown = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
-    PrintError(isUnknown ? std::string("There is no command ") + argv[1] + "; see cslf --help."
-                         : error.what());
+    ReportArguments(app, error);
     return EXIT_FAILURE;
   }
   if (!TakesPart())

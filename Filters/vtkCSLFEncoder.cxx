@@ -286,7 +286,8 @@ bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
   this->ActualDepthFromGeometry = outcome.ComputesDepth;
   this->ActualGeometryLoss = outcome.GeometryLoss;
   this->SetErrorCode(fault.Code);
-  if (!fault.Text.empty())
+  // The interpreter's user knows why it ended.
+  if (!fault.Text.empty() && !cslf::IsInterrupted())
   {
     vtkErrorMacro(<< fault.Text);
   }

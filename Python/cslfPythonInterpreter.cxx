@@ -7,17 +7,21 @@
 // VTK's wrappers hold Python's lock during a call. Python's handler of Ctrl-C would then raise
 // KeyboardInterrupt in the next function of Python that runs, which may be an observer of an event,
 // where VTK ends the process. So during a long call the handler is one of this module. It keeps
-// the exception until the outermost call of VTK has returned to the function that called it: until
-// then, it has the signal come again, whenever Python checks for signals.
+// the exception until the outermost call of VTK has returned to the function that called it, and
+// raises it there by a pending call. Python makes those between two instructions of a function,
+// whereas it also handles signals within builtin functions, such as print, which VTK may call.
+//
+// When Python has ended, threads that take its lock end, too: their stack is unwound, and C++ code
+// does not survive that. So before its end, calls in other threads are ended, and no others begin.
 #include <Python.h>
 
 #include "Pipeline/cslfInterpreter.h"
 
-#include <vtkObject.h>
-
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -103,6 +107,7 @@ public:
     {
       return;
     }
+    this->CountCall();
     if (this->Thread.load() == std::this_thread::get_id())
     {
       ++this->Depth;
@@ -135,26 +140,22 @@ public:
 
   void EndCall() override
   {
-    if (this->Thread.load() != std::this_thread::get_id() || --this->Depth > 0)
+    if (this->Thread.load() == std::this_thread::get_id() && --this->Depth == 0)
     {
-      return;
-    }
-    const LockHolder lock;
-    this->HandleSignals();
-    this->Thread = std::thread::id();
-    if (this->IsStopped)
-    {
-      if (!this->IsInstalled())
+      const LockHolder lock;
+      this->HandleSignals();
+      this->Thread = std::thread::id();
+      if (this->IsStopped)
       {
-        this->InstallHandler(); // an observer has set another one
+        this->RaiseSoon();
       }
-      PyErr_SetInterrupt();
+      else
+      {
+        this->RestoreHandler();
+        this->Frame.Reset(nullptr);
+      }
     }
-    else
-    {
-      this->RestoreHandler();
-      this->Frame.Reset(nullptr);
-    }
+    this->UncountCall();
   }
 
   bool IsInterrupted() override
@@ -162,7 +163,7 @@ public:
     // Only Python's main thread handles signals.
     if (this->Thread.load() != std::this_thread::get_id())
     {
-      return false;
+      return Calls > 0 && this->IsEndedByExit();
     }
     constexpr std::chrono::milliseconds pause(20);
     const auto now = std::chrono::steady_clock::now();
@@ -190,6 +191,7 @@ public:
 
   void Lock(void* state) override
   {
+    this->WaitIfOver();
     PyEval_RestoreThread(static_cast<PyThreadState*>(state));
     IsWithoutLock = false;
   }
@@ -200,6 +202,7 @@ public:
     {
       return false;
     }
+    this->WaitIfOver();
     Borrowed.push_back(PyGILState_Ensure());
     return true;
   }
@@ -211,14 +214,15 @@ public:
     PyGILState_Release(state);
   }
 
-  /// The handler during long calls: calls the user's, and keeps its exception. After the outermost
-  /// call, raises it.
+  /// The handler during long calls, and until their exception is raised: calls the user's, and
+  /// keeps its exception.
   static PyObject* Handle(PyObject*, PyObject* arguments)
   {
     PythonInterpreter* self = Get();
     if (self->Thread.load() == std::thread::id() && self->IsStopped)
     {
-      return self->Raise();
+      self->RaiseSoon();
+      Py_RETURN_NONE;
     }
     const Reference result(PyObject_CallObject(self->Handler.Get(), arguments));
     if (!result.Get())
@@ -228,7 +232,91 @@ public:
     Py_RETURN_NONE;
   }
 
+  /// Python is about to end: ends the long calls in other threads and waits until they have
+  /// returned, but not for ever, because they may wait for this thread.
+  static PyObject* EndCalls(PyObject*, PyObject*)
+  {
+    PythonInterpreter* self = Get();
+    constexpr std::chrono::seconds patience(10);
+    const int own = Calls > 0 ? 1 : 0;
+    Py_BEGIN_ALLOW_THREADS;
+    {
+      std::unique_lock<std::mutex> lock(self->CallsMutex);
+      self->ExitThread = std::this_thread::get_id();
+      self->CallEnded.wait_for(lock, patience, [&] { return self->ThreadsInCalls == own; });
+      self->IsOver = true;
+    }
+    Py_END_ALLOW_THREADS;
+    Py_RETURN_NONE;
+  }
+
+  /// Has Python call EndCalls before its end. Returns false if that fails.
+  static bool RegisterEndCalls()
+  {
+    static PyMethodDef method = { "end_calls", &PythonInterpreter::EndCalls, METH_NOARGS, nullptr };
+    const Reference function(PyCFunction_New(&method, nullptr));
+    const Reference module(PyImport_ImportModule("atexit"));
+    return function.Get() && module.Get() &&
+      Reference(PyObject_CallMethod(module.Get(), "register", "O", function.Get())).Get();
+  }
+
 private:
+  ///@{
+  /// Counts the threads that are in long calls. Calls of other threads than the one that ends
+  /// Python do not begin any more when it does.
+  void CountCall()
+  {
+    if (Calls++ == 0)
+    {
+      std::unique_lock<std::mutex> lock(this->CallsMutex);
+      if (this->IsEndedByExit())
+      {
+        lock.unlock();
+        Wait();
+      }
+      ++this->ThreadsInCalls;
+    }
+  }
+  void UncountCall()
+  {
+    if (Calls > 0 && --Calls == 0)
+    {
+      const std::lock_guard<std::mutex> lock(this->CallsMutex);
+      --this->ThreadsInCalls;
+      this->CallEnded.notify_all();
+    }
+  }
+  ///@}
+
+  /// Whether another thread ends Python.
+  bool IsEndedByExit() const
+  {
+    const std::thread::id thread = this->ExitThread;
+    return thread != std::thread::id() && thread != std::this_thread::get_id();
+  }
+
+  /// Keeps this thread from taking Python's lock after EndCalls.
+  void WaitIfOver() const
+  {
+    if (this->IsOver && this->IsEndedByExit())
+    {
+      Wait();
+    }
+  }
+
+  /// Lets this thread wait without Python's lock until the process ends.
+  [[noreturn]] static void Wait()
+  {
+    if (PyGILState_Check())
+    {
+      PyEval_SaveThread();
+    }
+    for (;;)
+    {
+      std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
+
   /// Calls a function of Python's module signal. Returns null if it fails. An exception that is on
   /// its way remains the only one.
   template <typename... Arguments>
@@ -281,8 +369,7 @@ private:
     }
   }
 
-  /// Keeps the present exception until the call has returned. What the library reports about calls
-  /// that end early would only hide it.
+  /// Keeps the present exception until the call has returned.
   void Stop()
   {
     PyObject *type, *value, *trace;
@@ -295,52 +382,55 @@ private:
     {
       this->StoppedThread = std::this_thread::get_id();
       this->IsStopped = true;
-      this->WarningDisplay = vtkObject::GetGlobalWarningDisplay();
-      vtkObject::SetGlobalWarningDisplay(0);
+    }
+  }
+
+  /// Has Python call Raise soon.
+  void RaiseSoon()
+  {
+    if (!this->IsRaisedSoon)
+    {
+      this->IsRaisedSoon = Py_AddPendingCall([](void*) { return Get()->Raise(); }, nullptr) == 0;
+      if (!this->IsRaisedSoon)
+      {
+        PyErr_SetInterrupt(); // there are too many pending calls: Handle tries again
+      }
     }
   }
 
   /// Raises the exception that was kept, unless the function that runs is one that VTK called.
-  PyObject* Raise()
+  int Raise()
   {
+    this->IsRaisedSoon = false;
     PyFrameObject* present = PyEval_GetFrame();
     if (present && reinterpret_cast<PyObject*>(present) != this->Frame.Get() &&
       IsBelow(this->Frame.Get(), present))
     {
-      if (!this->HasWakeup)
-      {
-        // Event loops would get a byte each time.
-        const Reference file(CallSignal("set_wakeup_fd", "i", -1));
-        this->HasWakeup = true;
-        this->Wakeup = file.Get() ? static_cast<int>(PyLong_AsLong(file.Get())) : -1;
-      }
-      PyErr_SetInterrupt();
-      Py_RETURN_NONE;
-    }
-    if (this->HasWakeup)
-    {
-      const Reference file(CallSignal("set_wakeup_fd", "i", this->Wakeup));
-      this->HasWakeup = false;
+      this->RaiseSoon();
+      return 0;
     }
     this->RestoreHandler();
     this->IsStopped = false;
     this->Frame.Reset(nullptr);
-    vtkObject::SetGlobalWarningDisplay(this->WarningDisplay);
     PyErr_Restore(this->Type.Release(), this->Value.Release(), nullptr);
-    return nullptr;
+    return -1;
   }
 
   static thread_local bool IsWithoutLock;
   static thread_local std::vector<PyGILState_STATE> Borrowed;
+  static thread_local int Calls; ///< long ones, within each other
 
-  std::atomic<std::thread::id> Thread{ std::thread::id() }; ///< of the long call
+  std::mutex CallsMutex;
+  std::condition_variable CallEnded;
+  int ThreadsInCalls = 0;                                       ///< guarded by CallsMutex
+  std::atomic<std::thread::id> ExitThread{ std::thread::id() }; ///< that ends Python
+  std::atomic<bool> IsOver{ false };                            ///< EndCalls has returned
+  std::atomic<std::thread::id> Thread{ std::thread::id() };     ///< of the long call
   std::atomic<bool> IsStopped{ false };
   std::atomic<std::thread::id> StoppedThread{}; ///< that of the call which a signal ended
   // Everything else is used only by that thread, with Python's lock.
   int Depth = 0;
-  int WarningDisplay = 1;
-  bool HasWakeup = false; ///< Wakeup is the file of event loops, which is set aside
-  int Wakeup = -1;
+  bool IsRaisedSoon = false; ///< a pending call of Raise is in Python's queue
   std::chrono::steady_clock::time_point NextCheck;
   Reference Frame; ///< that called the outermost call
   Reference Handler;
@@ -351,6 +441,7 @@ private:
 
 thread_local bool PythonInterpreter::IsWithoutLock = false;
 thread_local std::vector<PyGILState_STATE> PythonInterpreter::Borrowed;
+thread_local int PythonInterpreter::Calls = 0;
 }
 
 PyMODINIT_FUNC PyInit__interpreter()
@@ -361,6 +452,11 @@ PyMODINIT_FUNC PyInit__interpreter()
   PyObject* module = PyModule_Create(&definition);
   if (module)
   {
+    if (!PythonInterpreter::RegisterEndCalls())
+    {
+      Py_DECREF(module);
+      return nullptr;
+    }
     cslf::SetInterpreter(PythonInterpreter::Get());
   }
   return module;

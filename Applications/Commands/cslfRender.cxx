@@ -43,6 +43,11 @@ struct Options
 
 Result RunView(const Options& options)
 {
+  if (!IsPictureName(options.Output))
+  {
+    throw Failure(std::string("A picture is written as ") + PictureFormats +
+      ", and several pictures along a --path to " + FrameFormats + ".");
+  }
   RequirePicture(options.Output);
   const FieldFile file = OpenField(options.Field);
   const std::string lookup = ChooseLookup(options.Lookup, file);

@@ -3,23 +3,24 @@
 """Baking a scene in one call."""
 
 import contextlib
+import errno
 import os
 import pathlib
 import shutil
 import tempfile
 
-from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 from . import vtkCSLF
+from .arguments import check_kind, find_name, get_file_name, set_parameters
 from .fields import make_actor
-from .messages import Error, Messages, Progress, get_text
+from .messages import Error, Messages, Progress
 from .notebook import show
-from .scenes import connect, missing_file
+from .scenes import VIDEOS, connect, missing_file
 
 QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
 COLORS = ("lit", "exact")  # likewise
-VIDEOS = (".mp4", ".mkv")
+USER_ERROR = 40000  # of vtkErrorCode, which VTK does not wrap
 
 
 class LightField:
@@ -50,17 +51,17 @@ class LightField:
     def actor(self):
         """A ``vtkActor`` that draws the field."""
         if self._actor is None:
-            self._actor = make_actor(self.file_name or self.sampler)
+            self._actor = make_actor(self)
         return self._actor
 
     def show(self, **arguments):
         """Draws a view of the field and returns it as a Picture; arguments are as in ``show``."""
-        return show(self.file_name or self.sampler, **arguments)
+        return show(self, **arguments)
 
     def save(self, file_name):
         """Writes the field to another file, which replaces one of that name: a video if the field
         is one, and otherwise a video (``.mp4`` or ``.mkv``) or image data (``.vti``)."""
-        name = os.fspath(file_name)
+        name = get_file_name(file_name)
         kind = pathlib.PurePath(name).suffix.lower()
         if self.file_name:
             if kind != pathlib.PurePath(self.file_name).suffix.lower():
@@ -78,7 +79,8 @@ class LightField:
                 messages.require(writer.Write() and not writer.GetErrorCode(),
                                  f"{name} was not written.")
         else:
-            raise ValueError(f"{name} is none of {', '.join((*VIDEOS, '.vti'))}.")
+            raise ValueError(f"The file must be one of {', '.join((*VIDEOS, '.vti'))}; it is "
+                             f"{name!r}.")
 
 
 @contextlib.contextmanager
@@ -94,36 +96,13 @@ def whole_file(name):
 
 
 def check_folder(name):
-    """Raises FileNotFoundError if the folder of a new file does not exist."""
+    """Raises FileNotFoundError if the folder of a new file does not exist, and IsADirectoryError if
+    its name is that of a folder."""
+    if os.path.isdir(name):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
     folder = os.path.dirname(name) or "."
     if not os.path.isdir(folder):
         raise missing_file(folder)
-
-
-def set_parameters(target, parameters):
-    """Sets those parameters that are not None. Raises ValueError for values outside of ranges."""
-    problems = []
-
-    def catch(_target, _event, message):
-        problems.append(get_text(message))
-
-    catch.CallDataType = "string0"
-    tag = target.AddObserver(vtkCommand.WarningEvent, catch)
-    try:
-        for name, value in parameters.items():
-            if value is not None:
-                getattr(target, f"Set{name}")(value)
-            if problems:
-                raise ValueError(f"{problems[0].partition(':')[0]}; it is {value!r}.")
-    finally:
-        target.RemoveObserver(tag)
-
-
-def find_name(value, names, parameter):
-    """The index of a name. Raises ValueError if it is unknown."""
-    if value not in names:
-        raise ValueError(f"{parameter} must be one of {', '.join(names)}; it is {value!r}.")
-    return names.index(value)
 
 
 def write(sampler, name, crf, progress):
@@ -132,7 +111,7 @@ def write(sampler, name, crf, progress):
         raise Error("This build of CSLF has no video encoder: bake without a file name, and save "
                     "the field as .vti.")
     if pathlib.PurePath(name).suffix.lower() not in VIDEOS:
-        raise ValueError(f"The file must be one of {', '.join(VIDEOS)}; it is {name}.")
+        raise ValueError(f"The file must be one of {', '.join(VIDEOS)}; it is {name!r}.")
     check_folder(name)
     encoder = vtkCSLF.vtkCSLFEncoder()
     encoder.SetInputConnection(0, sampler.GetOutputPort(0))
@@ -142,7 +121,9 @@ def write(sampler, name, crf, progress):
     with Messages(encoder) as messages:
         with Progress(encoder, progress, "Writing"):
             is_written = encoder.Write()
-        messages.require(is_written, f"{name} was not written.")
+        # Settings that cannot be coded.
+        kind = ValueError if encoder.GetErrorCode() == USER_ERROR else Error
+        messages.require(is_written, f"{name} was not written.", kind)
 
 
 def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
@@ -169,13 +150,16 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
 
     Raises ``FileNotFoundError`` if the scene's file or the video's folder does not exist,
-    ``ValueError`` for values out of range and unknown names, ``TypeError`` if ``scene`` is none,
-    ``MemoryError`` if memory does not suffice, and ``cslf.Error``, a ``RuntimeError``, for all
-    other reasons.
+    ``ValueError`` for values out of range, unknown names and what a video cannot hold,
+    ``TypeError`` if ``scene`` or another argument is of a wrong kind, ``MemoryError`` if memory
+    does not suffice, and ``cslf.Error``, a ``RuntimeError``, for all other reasons.
     """
     if not hasattr(vtkCSLF, "vtkCSLFSampler"):
         raise Error("This build of CSLF has no sampler.")
     sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
+    check_kind(sampler, vtkCSLF.vtkCSLFSampler, "sampler", "a vtkCSLFSampler")
+    if not callable(progress):
+        check_kind(progress, (bool, type(None)), "progress", "True, False or a function")
     quality = None if quality is None else find_name(quality, QUALITIES, "quality")
     colors = None if colors is None else find_name(colors, COLORS, "colors")
     set_parameters(sampler, {"Quality": quality, "Colors": colors, "Viewpoints": viewpoints,
@@ -185,7 +169,7 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
         raise ValueError("crf is for videos, and there is no file name.")
     connect(scene, sampler)
     if file_name is not None:
-        name = os.fspath(file_name)
+        name = get_file_name(file_name)
         write(sampler, name, crf, progress)
         return LightField(name, sampler)
     with Messages(sampler) as messages:

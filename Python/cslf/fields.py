@@ -2,18 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Actors of light fields from files, algorithms or image data."""
 
-import errno
 import os
+import pathlib
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCSLF
+from .arguments import find_name, get_file_name
 from .messages import Messages
+from .scenes import READERS, is_scene_name, missing_file
 
 LOOKUPS = tuple(vtkCSLF.vtkCSLFMapper.GetLookupName(lookup).capitalize()
                 for lookup in range(vtkCSLF.vtkCSLFMapper.NUMBER_OF_LOOKUPS))
+
+BAKE_FIRST = "{} is a scene, not a light field: bake it first."
 
 
 def has_geometry(field):
@@ -26,47 +31,63 @@ def has_geometry(field):
 
 def open_field(name):
     """The reader of a light field: a video, image data (``.vti``) or a folder of images."""
+    is_image = name.lower().endswith(".vti")
     if not os.path.exists(name):
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
+        raise ValueError(BAKE_FIRST.format(name)) if is_scene_name(name) else missing_file(name)
+    if pathlib.PurePath(name).suffix.lower() in READERS and not is_image:
+        raise ValueError(BAKE_FIRST.format(name))
     if os.path.isdir(name) and hasattr(vtkCSLF, "vtkCSLFImageReader"):
         reader = vtkCSLF.vtkCSLFImageReader()
     else:
-        is_image = name.lower().endswith(".vti")
         reader = vtkXMLImageDataReader() if is_image else vtkCSLF.vtkCSLFDecoder()
     reader.SetFileName(name)
     with Messages(reader) as messages:
         reader.UpdateInformation()
     if messages.errors:
-        raise ValueError(messages.errors[0])
+        text = messages.errors[0]
+        raise ValueError(f"Cannot read {name}: {text}" if is_image else text)
     return reader
+
+
+def connect_field(field, mapper):
+    """Makes a light field the input of a mapper, with its geometry if it has one."""
+    from .baking import LightField  # which imports this module
+    if isinstance(field, LightField):
+        field = field.file_name or field.sampler
+    if isinstance(field, (str, bytes, os.PathLike)):
+        field = open_field(get_file_name(field))
+    # A port does not keep its algorithm, which therefore stays in `field`.
+    port = field.GetOutputPort() if isinstance(field, vtkAlgorithm) else field
+    if isinstance(port, vtkAlgorithmOutput):
+        mapper.SetInputConnection(0, port)
+        if port.GetIndex() == 0 and has_geometry(port.GetProducer()):
+            mapper.SetInputConnection(1, port.GetProducer().GetOutputPort(1))
+    elif isinstance(field, vtkImageData):
+        mapper.SetInputData(field)
+    else:
+        raise TypeError("A field is the name of a file, a LightField, an algorithm, its output "
+                        f"port or image data, not a {type(field).__name__}: bake scenes first.")
 
 
 def make_actor(field, lookup="Geometry"):
     """Returns a ``vtkActor`` that draws a light field.
 
-    ``field`` is the name of a video, of image data (``.vti``) or of a folder of images, an
-    algorithm that makes a field, such as ``vtkCSLFSampler``, or image data. ``lookup`` is
-    ``Nearest``, ``Linear``, ``Bilinear``, ``Focal``, ``Depth`` or ``Geometry``, which is ``Depth``
-    for fields without geometry. Raises ``FileNotFoundError`` if there is no such file, and
-    ``ValueError`` if the field is not a light field or the lookup is unknown.
+    ``field`` is the name of a video, of image data (``.vti``) or of a folder of images, a
+    ``LightField``, an algorithm that makes a field, such as ``vtkCSLFSampler``, or its output port,
+    or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal``, ``Depth`` or
+    ``Geometry``, which is ``Depth`` for fields without geometry. Raises ``FileNotFoundError`` if
+    there is no such file, ``TypeError`` if ``field`` is of another kind, and ``ValueError`` if it
+    is not a light field or the lookup is unknown.
     """
-    if lookup not in LOOKUPS:
-        raise ValueError(f"The lookup must be one of {', '.join(LOOKUPS)}; it is {lookup!r}.")
+    lookup = find_name(lookup, LOOKUPS, "lookup")
     mapper = vtkCSLF.vtkCSLFMapper()
-    if isinstance(field, (str, os.PathLike)):
-        field = open_field(os.fspath(field))
-    if hasattr(field, "GetOutputPort"):
-        mapper.SetInputConnection(0, field.GetOutputPort())
-        if has_geometry(field):
-            mapper.SetInputConnection(1, field.GetOutputPort(1))
-    else:
-        mapper.SetInputData(field)
-    mapper.SetLookup(LOOKUPS.index(lookup))
+    connect_field(field, mapper)
+    mapper.SetLookup(lookup)
     actor = vtkActor()
     actor.SetMapper(mapper)
     with Messages(mapper) as messages:
         bounds = actor.GetBounds()
     if messages.errors or bounds is None or bounds[0] > bounds[1]:
         raise ValueError(messages.errors[0] if messages.errors
-                         else "The field is not a light field.")
+                         else "The field is not a light field: bake scenes first.")
     return actor

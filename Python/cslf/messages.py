@@ -5,6 +5,7 @@
 import os
 import re
 import sys
+import threading
 import time
 import warnings
 
@@ -37,10 +38,9 @@ def get_text(message):
     return re.sub(r"^\w+ \((0x)?[0-9a-fA-F]+\): ", "", text)
 
 
-def raise_error(text):
+def raise_error(text, kind=Error):
     """Raises the exception that fits the reason."""
-    kind = MemoryError if "there is not enough memory" in text else Error
-    raise kind(text)
+    raise (MemoryError if "there is not enough memory" in text else kind)(text)
 
 
 def find_caller():
@@ -54,6 +54,29 @@ def find_caller():
     return level
 
 
+class Reports:
+    """Has VTK's objects report to their observers, also for those who have switched messages off,
+    who want the reasons in exceptions nevertheless. VTK's switch is one for all threads."""
+
+    _lock = threading.Lock()
+    _number = 0  # that are in use
+
+    def __enter__(self):
+        with Reports._lock:
+            if Reports._number == 0:
+                Reports._display = vtkObject.GetGlobalWarningDisplay()
+                vtkObject.SetGlobalWarningDisplay(1)
+            Reports._number += 1
+            self.is_on = bool(Reports._display)  # the user's choice
+        return self
+
+    def __exit__(self, _kind, _error, _trace):
+        with Reports._lock:
+            Reports._number -= 1
+            if Reports._number == 0:
+                vtkObject.SetGlobalWarningDisplay(Reports._display)
+
+
 class Messages:
     """Collects what an algorithm and all that feed it report. Warnings become those of Python."""
 
@@ -63,9 +86,7 @@ class Messages:
         self.warnings = []
 
     def __enter__(self):
-        # Those who switch messages off want the reasons in exceptions nevertheless.
-        self._display = vtkObject.GetGlobalWarningDisplay()
-        vtkObject.SetGlobalWarningDisplay(1)
+        self._reports = Reports().__enter__()
         self._tags = []
         for algorithm in find_producers(self._algorithm):
             # The executive only repeats that its algorithm has failed.
@@ -80,18 +101,18 @@ class Messages:
         catch.CallDataType = "string0"
         self._tags.append((sender, sender.AddObserver(event, catch)))
 
-    def __exit__(self, kind, _error, _trace):
+    def __exit__(self, kind, error, trace):
         for sender, tag in self._tags:
             sender.RemoveObserver(tag)
-        vtkObject.SetGlobalWarningDisplay(self._display)
-        if kind is None and self._display:
+        self._reports.__exit__(kind, error, trace)
+        if kind is None and self._reports.is_on:
             for text in dict.fromkeys(self.warnings):
                 warnings.warn(text, stacklevel=find_caller())
 
-    def require(self, is_done, otherwise):
+    def require(self, is_done, otherwise, kind=Error):
         """Raises the first error, if there was one or nothing was done."""
         if self.errors or not is_done:
-            raise_error(self.errors[0] if self.errors else otherwise)
+            raise_error(self.errors[0] if self.errors else otherwise, kind)
 
 
 def is_notebook():

@@ -4,13 +4,14 @@
 
 import ctypes
 import functools
-import operator
 import os
 import pathlib
 
+from vtkmodules.vtkCommonCore import vtkMath
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
+from .arguments import check_kind, get_color, get_file_name, get_size, get_vector
 from .fields import make_actor
 
 # From the front, a little to the right and above, two edges of the cube away.
@@ -44,9 +45,10 @@ class Picture:
 
     def save(self, file_name):
         """Writes the PNG file. Raises ValueError for names of other kinds."""
-        if pathlib.PurePath(file_name).suffix.lower() != ".png":
-            raise ValueError(f"Pictures are saved as .png; the name is {file_name}.")
-        pathlib.Path(file_name).write_bytes(self.png)
+        name = get_file_name(file_name)
+        if pathlib.PurePath(name).suffix.lower() != ".png":
+            raise ValueError(f"Pictures are saved as .png; the name is {name!r}.")
+        pathlib.Path(name).write_bytes(self.png)
 
 
 @functools.lru_cache(maxsize=None)
@@ -63,6 +65,7 @@ def connect_display(_name):
 
 def capture(window):
     """Captures a render window as a Picture."""
+    check_kind(window, vtkRenderWindow, "window", "a vtkRenderWindow")
     if window.GetClassName() == "vtkXOpenGLRenderWindow":
         display = os.environ.get("DISPLAY")
         if not display or not connect_display(display):
@@ -78,19 +81,34 @@ def capture(window):
     return Picture(bytes(memoryview(writer.GetResult())))
 
 
+def find_view_up(view, up):
+    """The given direction, or another one if it is along the view; the same as the tool's."""
+    side = [0.0, 0.0, 0.0]
+    vtkMath.Cross(view, up, side)
+    if vtkMath.Norm(side) > 1e-6 * vtkMath.Norm(view) * vtkMath.Norm(up):
+        return up
+    return (0.0, 0.0, 1.0) if abs(view[2]) < 0.9 * vtkMath.Norm(view) else (0.0, 1.0, 0.0)
+
+
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
          background=(0.0, 0.0, 0.0), lookup="Geometry"):
     """Draws a view of a light field and returns it as a Picture.
 
-    ``field`` is as in ``make_actor``: a name, an algorithm or image data. ``size`` is the width and
-    height in pixels. ``position`` is the position of the camera in world coordinates, by default
-    two edges of the cube in front of its centre, and ``focal_point`` the point that it looks at, by
-    default the centre. ``background`` is a colour with components in [0,1]. ``lookup``, and what is
+    ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
+    ``size`` is the width and height in pixels. ``position`` is the position of the camera in world
+    coordinates, by default two edges of the cube in front of its centre, and ``focal_point`` the
+    point that it looks at, by default the centre. ``background`` is the name of a colour in HTML,
+    such as ``white`` or ``#1a1a1f``, or red, green and blue in [0,1]. ``lookup``, and what is
     raised if there is no such field, are as in ``make_actor``.
+
+    Raises ``TypeError`` for arguments of a wrong kind, ``ValueError`` for those out of range, and
+    ``RuntimeError`` if nothing can be drawn.
     """
-    width, height = (operator.index(number) for number in size)
-    if min(width, height) < 1:
-        raise ValueError(f"The size must be at least 1 x 1 pixels; it is {width} x {height}.")
+    size = get_size(size)
+    background = get_color(background, "background")
+    view_up = get_vector(view_up, "view_up")
+    position = None if position is None else get_vector(position, "position")
+    focal_point = None if focal_point is None else get_vector(focal_point, "focal_point")
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
@@ -98,18 +116,22 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     length = sum(value**2 for value in DIRECTION)**0.5
     if position is None:
         position = [c + 2.0 * edge * d / length for c, d in zip(center, DIRECTION)]
+    focal_point = center if focal_point is None else focal_point
+    view = [there - here for here, there in zip(position, focal_point)]
+    if vtkMath.Norm(view) == 0.0:
+        raise ValueError("The camera's position and its focal point must differ.")
     renderer = vtkRenderer()
     renderer.SetBackground(*background)
     renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*position)
-    camera.SetFocalPoint(*(center if focal_point is None else focal_point))
-    camera.SetViewUp(*view_up)
+    camera.SetFocalPoint(*focal_point)
+    camera.SetViewUp(*find_view_up(view, view_up))
     camera.SetViewAngle(40.0)  # the same as the tool's
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
-    window.SetSize(width, height)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
     return capture(window)

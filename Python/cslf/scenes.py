@@ -26,11 +26,18 @@ READERS.update({f".{parallel}{kind}": vtkXMLGenericDataObjectReader
                 for kind in ("vtp", "vtu", "vti", "vtr", "vts") for parallel in ("", "p")})
 READERS.update({kind: vtkXMLGenericDataObjectReader for kind in (".vtm", ".vtpd", ".vtpc")})
 READERS.update({kind: getattr(vtkCSLF, "vtkCSLFGLTFReader", None) for kind in (".gltf", ".glb")})
+VIDEOS = (".mp4", ".mkv")  # of light fields
 
 
 def missing_file(name):
     """The exception that says that there is no such file or folder."""
     return FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
+
+
+def is_scene_name(name):
+    """Whether a scene that needs no file has this name."""
+    source = getattr(vtkCSLF, "vtkCSLFSceneSource", None)
+    return source is not None and source.HasScene(name)
 
 
 def find_renderer(scene):
@@ -81,6 +88,8 @@ def read(name):
         except (ElementTree.ParseError, ValueError) as error:
             raise Error(f"Cannot read {name}: {error}.") from error
     reader = READERS.get(kind)
+    if kind in VIDEOS:
+        raise ValueError(f"{name} is a light field, not a scene.")
     if reader is None:
         raise ValueError(f"{name} is not a scene: supported are "
                          f"{', '.join(sorted([*READERS, '.pvd']))}.")

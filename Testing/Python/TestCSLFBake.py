@@ -4,6 +4,7 @@
 import contextlib
 import io
 import os
+import sys
 import tempfile
 import unittest
 
@@ -16,6 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow)
 
 SIZE = {"viewpoints": 2, "resolution": 16, "quality": "preview"}
+FIELD = sys.argv.pop()  # a light field
 HAS_ENCODER = hasattr(cslf, "vtkCSLFEncoder")
 
 
@@ -99,6 +101,7 @@ class TestCSLFBake(unittest.TestCase):
         field.save("copy.mp4")
         shown = field.show(size=(60, 60)).png
         self.assertEqual(field._repr_png_()[:8], shown[:8])
+        self.assertEqual(cslf.show(field, size=(60, 60)).png, shown)
         self.assertEqual(cslf.show("copy.mp4", size=(60, 60)).png, shown)
         memory = cslf.bake(make_sphere(), **SIZE)
         memory.save("memory.mp4")
@@ -162,6 +165,7 @@ class TestCSLFBake(unittest.TestCase):
 
     def test_invalid(self):
         sphere = make_sphere()
+        os.makedirs("folder/a.mkv")
         with open("bad.vtp", "w", encoding="utf-8") as file:
             file.write("no data")
         cases = [
@@ -170,8 +174,20 @@ class TestCSLFBake(unittest.TestCase):
             (ValueError, "is not a scene: supported are .glb", lambda: cslf.bake(__file__)),
             (ValueError, "preview, good, best", lambda: cslf.bake(sphere, quality="fine")),
             (ValueError, "lit, exact", lambda: cslf.bake(sphere, colors="pale")),
-            (ValueError, "Viewpoints must be from 2 to 1024; it is 1",
+            (ValueError, "viewpoints must be from 2 to 1024; it is 1",
              lambda: cslf.bake(sphere, viewpoints=1)),
+            (ValueError, "resolution must be from 1 to 8192; it is 1000",
+             lambda: cslf.bake(sphere, resolution=10**30)),
+            (ValueError, "noise_target must be a number", lambda: cslf.bake(
+                sphere, noise_target=float("nan"))),
+            (TypeError, "resolution must be a whole number; it is '16'",
+             lambda: cslf.bake(sphere, resolution="16")),
+            (TypeError, "noise_target must be a number; it is 'low'",
+             lambda: cslf.bake(sphere, noise_target="low")),
+            (TypeError, "a vtkCSLFSampler; it is 3", lambda: cslf.bake(sphere, sampler=3)),
+            (TypeError, "True, False or a function", lambda: cslf.bake(sphere, progress="bar")),
+            (TypeError, "file_name must be the name", lambda: cslf.bake(sphere, 3, **SIZE)),
+            (ValueError, "field.mp4 is a light field", lambda: cslf.bake(FIELD)),
             (ValueError, "crf is for videos", lambda: cslf.bake(sphere, crf=20.0)),
             (ValueError, "0 renderers", lambda: cslf.bake(vtkRenderWindow())),
             (ValueError, "is a light field", lambda: cslf.bake(cslf.bake(sphere, **SIZE).image)),
@@ -183,13 +199,37 @@ class TestCSLFBake(unittest.TestCase):
             cases += [
                 (FileNotFoundError, "nowhere", lambda: cslf.bake(sphere, "nowhere/a.mp4", **SIZE)),
                 (ValueError, ".mp4, .mkv", lambda: cslf.bake(sphere, "a.avi", **SIZE)),
-                (ValueError, "CRF must be from 0 to 51",
+                (ValueError, "crf must be from 0 to 51",
                  lambda: cslf.bake(sphere, "a.mp4", crf=99.0, **SIZE)),
+                (ValueError, "at least 16 texels, the field has 8",
+                 lambda: cslf.bake(sphere, "a.mp4", viewpoints=2, resolution=8)),
+                (IsADirectoryError, "a.mkv", lambda: cslf.bake(sphere, "folder/a.mkv", **SIZE)),
             ]
         for kind, text, call in cases:
             with self.subTest(text=text), self.assertRaisesRegex(kind, text):
                 call()
-        self.assertEqual(os.listdir(), ["bad.vtp"])
+        self.assertEqual(sorted(os.listdir()), ["bad.vtp", "folder"])
+
+    def test_invalid_names(self):
+        field = cslf.bake(make_sphere(), **SIZE)
+        os.makedirs("folder.vti")
+        for kind, name, text in ((TypeError, 3, "the name of a file"),
+                                 (ValueError, "a.png", ".mp4, .mkv, .vti; it is 'a.png'"),
+                                 (FileNotFoundError, "nowhere/a.vti", "nowhere"),
+                                 (IsADirectoryError, "folder.vti", "folder.vti")):
+            with self.subTest(name=name), self.assertRaisesRegex(kind, text):
+                field.save(name)
+        self.assertEqual(os.listdir(), ["folder.vti"])
+
+    def test_silent(self):
+        """Values are checked also for those who have switched VTK's messages off."""
+        cslf.vtkCSLFSampler.GlobalWarningDisplayOff()
+        try:
+            with self.assertRaisesRegex(ValueError, "from 2 to 1024"):
+                cslf.bake(make_sphere(), viewpoints=1)
+            self.assertEqual(cslf.vtkCSLFSampler.GetGlobalWarningDisplay(), 0)
+        finally:
+            cslf.vtkCSLFSampler.GlobalWarningDisplayOn()
 
     def test_warnings(self):
         """What classes warn of is a warning of Python, at the user's line."""

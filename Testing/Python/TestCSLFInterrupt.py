@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C ends long calls with KeyboardInterrupt, also while observers in Python are at work, and
-leaves files that the next run resumes. Other threads go on meanwhile. Each interrupted call would
-take hours."""
+leaves files that the next run resumes. Other threads go on meanwhile, and are ended when Python
+exits. Each interrupted call would take hours."""
+import contextlib
 import os
 import shutil
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -15,6 +18,24 @@ import cslf
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
+# The main thread ends while another one is at work, which would begin again.
+DAEMON = """
+import sys
+import threading
+from TestCSLFInterrupt import cslf, make_encoder, make_slow_sampler
+
+runs = threading.Event()
+
+def run():
+    while True:
+        sampler = make_slow_sampler()
+        sampler.AddObserver("ProgressEvent", lambda *_: runs.set())
+        call = make_encoder(sys.argv[1], sampler).Write if sys.argv[1:] else sampler.Update
+        call()
+
+threading.Thread(target=run, daemon=True).start()
+runs.wait()
+"""
 
 
 def make_sampler(samples, viewpoints=5, resolution=32):
@@ -123,6 +144,69 @@ class TestCSLFInterrupt(unittest.TestCase):
             sampler.Update()
         self.assertEqual(ends, [4950])
         self.assertEqual(sampler.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_failing_observer(self):
+        """One that raises an exception at each event, which VTK prints."""
+        def fail(_algorithm, _event):
+            raise KeyError("mine")
+
+        sampler = make_slow_sampler()
+        sampler.AddObserver("ProgressEvent", fail)
+        with open(os.devnull, "w", encoding="utf-8") as nothing, \
+                contextlib.redirect_stderr(nothing):
+            self.expect_interrupt(sampler.Update)
+
+    def test_builtin_observer(self):
+        """One that is no function of Python: VTK calls it last when the call has ended."""
+        sampler = make_slow_sampler()
+        sampler.AddObserver("AnyEvent", print)
+        with open(os.devnull, "w", encoding="utf-8") as nothing, \
+                contextlib.redirect_stdout(nothing):
+            self.expect_interrupt(sampler.Update)
+
+    def test_builtin_caller(self):
+        """The exception is raised in the function that runs when VTK has returned."""
+        samplers = [make_slow_sampler() for _ in range(3)]
+        self.expect_interrupt(list, map(cslf.vtkCSLFSampler.Update, samplers))
+
+    def test_exit(self):
+        """Python exits while a daemon thread is at work: its call is ended, and leaves what an
+        interrupted one leaves."""
+        cases = [[]]
+        if hasattr(cslf, "vtkCSLFEncoder"):
+            cases.append([self.get_name("field.mp4")])
+        for arguments in cases:
+            result = subprocess.run([sys.executable, "-c", DAEMON, *arguments],
+                                    cwd=os.path.dirname(os.path.abspath(__file__)),
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                    check=False)
+            self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertLessEqual(set(os.listdir(self.folder)), {"field.mp4.partial"})
+
+    def test_message_switch(self):
+        """Two threads bake, and share VTK's switch of messages. The second outlasts the first."""
+        first_began, second_began, first_ended = (threading.Event() for _ in range(3))
+
+        def bake(began, other):
+            def report(_phase, _share):
+                began.set()
+                other.wait()
+            cslf.bake(vtkSphereSource(), viewpoints=2, resolution=16, progress=report)
+
+        cslf.vtkCSLFSampler.SetGlobalWarningDisplay(0)
+        try:
+            first = threading.Thread(target=bake, args=(first_began, second_began))
+            second = threading.Thread(target=bake, args=(second_began, first_ended))
+            first.start()
+            first_began.wait()
+            second.start()
+            first.join()
+            display = cslf.vtkCSLFSampler.GetGlobalWarningDisplay()
+            first_ended.set()
+            second.join()
+            self.assertEqual((display, cslf.vtkCSLFSampler.GetGlobalWarningDisplay()), (1, 0))
+        finally:
+            cslf.vtkCSLFSampler.SetGlobalWarningDisplay(1)
 
     def test_other_exception(self):
         """A handler of the user is called at once. What it raises ends the call, nothing else."""

@@ -80,6 +80,10 @@ class TestCSLFPackage(unittest.TestCase):
         """The version, and what Python's help shows of setters of named values."""
         with open(CMAKE_LISTS, encoding="utf-8") as file:
             self.assertIn(f"project(CSLF VERSION {cslf.__version__} ", file.read())
+        names = set(dir(cslf)) - {name for name in dir(cslf) if name.startswith("vtkCSLF")}
+        self.assertEqual(names, {"Error", "LightField", "Picture", "__version__", "bake",
+                                 "capture", "make_actor", "show"})
+        self.assertIn("vtkCSLFSampler", cslf.__all__)
         setters = 0
         for kind in vars(cslf.vtkCSLF).values():
             for name, method in vars(kind).items() if isinstance(kind, type) else ():

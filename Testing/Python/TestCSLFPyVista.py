@@ -96,7 +96,7 @@ class TestCSLFPyVista(unittest.TestCase):
             plotter.cslf.bake("nowhere/field.mp4", viewpoints=2, resolution=8, samples=1)
         vtkImageData().GlobalWarningDisplayOff()
         try:
-            with self.assertRaisesRegex(cslf.Error, "at least 16"):
+            with self.assertRaisesRegex(ValueError, "at least 16"):
                 plotter.cslf.bake("small.mp4", viewpoints=2, resolution=8, samples=1)
             with self.assertRaises(ValueError):
                 plotter.cslf.add_light_field(vtkImageData())

@@ -58,7 +58,23 @@ foreach (command IN LISTS commands)
     check_help("${command} ${nested}")
   endforeach ()
 endforeach ()
+# Without a command, the help is an error. Other ways to ask for it.
+foreach (command IN ITEMS "" benchmark)
+  cslf_run(help ${command})
+  execute_process(
+    COMMAND "${CSLF}" ${command}
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE nothing
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "1" OR nothing OR NOT error STREQUAL output)
+    message(FATAL_ERROR "cslf ${command} ended with ${result}: ${nothing}${error}")
+  endif ()
+endforeach ()
 check_help(sample)
+cslf_run(help sample)
+if (NOT output STREQUAL help)
+  message(FATAL_ERROR "cslf help sample is not cslf sample --help:\n${output}")
+endif ()
 foreach (text IN ITEMS
     "-M, --viewpoints NUMBER\n      the number of viewpoints along each side of a face (2 to 1024; default 17)\n"
     "  --quality NAME\n" "(preview,\n      good, best; default good)\n" "--depth, --no-depth\n" "\nGeneral:\n  -h, --help\n")

@@ -147,10 +147,14 @@ bool EncodeSession::CheckHere()
   }
   // Only rank 0 touches files.
   std::string fault = this->Peers.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
-  fault = fault.empty() ? FindFault(this->Job.Settings, this->Grid->GetResolution()) : fault;
   if (!fault.empty())
   {
     return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
+  }
+  fault = FindFault(this->Job.Settings, this->Grid->GetResolution());
+  if (!fault.empty())
+  {
+    return this->Fail(vtkErrorCode::UserError, fault);
   }
   this->Puller.emplace(this->Job.Input, *this->Grid);
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
