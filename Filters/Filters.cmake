@@ -9,7 +9,6 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFRateControl
   ../Filters/vtkCSLFResample)
-cslf_add(Filters DecimalPoint Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
 cslf_add(Filters/Files AtomicFile FileSystem JSONFile Libraries LockedFile WorkFolder)
@@ -29,7 +28,8 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
   ArrayLayout FieldArrays GeometryArrays Guard Interpreter MissingViewpoints ParallelFor Phase
-  PipelineWatch PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ViewpointSource)
+  PipelineWatch PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ValidPolyData
+  ViewpointSource VTKCompatibility)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
@@ -63,28 +63,27 @@ list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable
 cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExposures)
 
 # Videos: their frames, codecs and containers, and the decoder.
-cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits)
+cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits Track)
 cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PerceptualQuantizer
-  PushPull RadianceFrames TexelBytes TexelRows Track)
-cslf_add(Filters/Coding/Groups CodingTask GroupDecoder TrackDecoder)
+  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PerceptualQuantizer PushPull
+  RadianceFrames TexelBytes TexelRows)
+cslf_add(Filters/Coding/Groups CodingTask TrackDecoder)
 cslf_add(Filters/Coding/Reading
-  BackgroundSteps BackgroundThread FieldReader ViewpointStore)
+  BackgroundSteps BackgroundThread FieldReader GroupDecoder ViewpointStore)
 
 # The encoder.
 if (CSLF_ENABLE_ENCODER)
   list(APPEND classes ../Filters/vtkCSLFEncoder)
-  cslf_add(Filters/Coding/Codecs EncoderContext VideoEncoders)
+  cslf_add(Filters/Coding/Codecs VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
-  cslf_add(Filters/Coding/Groups GroupCodec GroupCoder)
-  cslf_add(Filters/Coding/RateControl
-    EncodeProbe HeldOutViews RateControl RateModel)
+  cslf_add(Filters/Coding/Groups EncoderContext GroupCodec)
+  cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
-    EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCache Part PartStore
-    SlicePuller)
+    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCache
+    GroupCoder HeldOutViews Part PartStore SlicePuller)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.
@@ -108,35 +107,34 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND sources
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
+  cslf_add(Filters/Parallel SceneGather)
   cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
   cslf_add(Filters/PathTracing/Lights
-    DirectionalLight DirectLight Environment EnvironmentReader LightBounds LightReader
-    LightSample LightTree LocalLights PointLight)
+    DirectionalLight Environment LightBounds LightSample LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DisplayedColor Frame Fresnel GGX ImageCurve Lambert Lobe
-    MaterialParameters MaterialProblems SurfaceColors SurfaceMaterial Texture TextureReader)
+    BSDF DisplayedColor Frame Fresnel GGX ImageCurve Lambert Lobe MaterialParameters
+    MaterialProblems SurfaceMaterial Texture)
   cslf_add(Filters/PathTracing/Paths
-    PathBatch PathIntegrator PathPacket PathStep ScatterLanes SurfaceLanes)
+    DirectLight PathBatch PathIntegrator PathPacket PathStep ScatterLanes SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
-    CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies
-    DiffuseEstimator DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder
-    LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum
-    LayoutProgress MeshEdges OpenSides PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight
-    ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice VertexClusters)
-  cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
+    CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
+    GatherDirections HalfSamples IncidentLight LatticeBuilder LatticeLayout LatticePatch
+    LatticeProbe LatticeRefinement LatticeRequests LatticeSum LayoutProgress MeshEdges OpenSides
+    PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
+    SurfaceEstimate SurfaceLattice VertexClusters)
+  cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayBin RayGrid RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Arithmetic Fingerprint OldNames PointSpacing Scene SceneBlock SceneBuilder SceneGather)
+    EnvironmentReader Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes
+    Scene SceneBlock SceneBuilder SurfaceColors TextureReader)
   cslf_add(Filters/PathTracing/Shapes
-    Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
+    Box Mesh RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
-    CenterSurfaces ChannelSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
+    Arithmetic CenterSurfaces ChannelSum FieldRays SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
-  cslf_add(Filters/GLTF
-    GLTFDocument GLTFMaterials GLTFPrimitives GLTFProblems
-    GLTFValue)
+  cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives GLTFProblems GLTFValue)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
     FaceSides GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars

@@ -11,9 +11,9 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfViewpointSource.h"
 #include "cslfJoin.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>

@@ -10,7 +10,7 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
-#include "cslfVTKCompatibility.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 

@@ -5,10 +5,10 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>

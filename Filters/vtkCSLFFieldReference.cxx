@@ -9,12 +9,12 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 #include "cslfJSON.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFEnvironment.h"
 
 #include <vtkAlgorithmOutput.h>

@@ -18,9 +18,9 @@
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkDataObject.h>
 #include <vtkImageData.h>

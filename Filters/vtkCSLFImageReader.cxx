@@ -11,8 +11,8 @@
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfPrintable.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>

@@ -9,7 +9,7 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"
-#include "cslfVTKCompatibility.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>

@@ -6,16 +6,16 @@
 
 #include "Options/cslfOptionTable.h"
 #include "Options/cslfQualityPresets.h"
+#include "Parallel/cslfSceneGather.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
-#include "PathTracing/Scene/cslfSceneGather.h"
+#include "PathTracing/Texels/cslfArithmetic.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfScenePipeline.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfColor.h"
 #include "cslfJSON.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -555,7 +555,7 @@ void vtkCSLFPathTracer::GatherScene(
   std::vector<vtkSmartPointer<vtkDataObject>>& parts, std::vector<int>& ranks, std::string& error)
 {
   this->GatheredBytes = 0;
-  cslf::SceneGather gather(this->Controller);
+  cslf::SceneGather gather(this->Controller, cslf::GetArithmetic());
   if (!gather.Begin({ parts.begin(), parts.end() }, error))
   {
     return;

@@ -11,9 +11,9 @@
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "Resampling/cslfNesting.h"
 #include "Resampling/cslfTexelReducer.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>

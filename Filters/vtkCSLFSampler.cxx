@@ -15,10 +15,10 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFEnvironment.h"
 
 #include <vtkDataArraySelection.h>

@@ -6,8 +6,8 @@
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>

@@ -15,10 +15,10 @@
 
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
+#include "Pipeline/cslfValidPolyData.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJSONText.h"
 #include "cslfJoin.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"

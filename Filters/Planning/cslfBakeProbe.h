@@ -7,7 +7,7 @@
 #ifndef cslfBakeProbe_h
 #define cslfBakeProbe_h
 
-#include "Coding/RateControl/cslfEncodeProbe.h"
+#include "Coding/Writing/cslfEncodeProbe.h"
 #include "Planning/cslfFieldDetail.h"
 
 #include <vtkSmartPointer.h>

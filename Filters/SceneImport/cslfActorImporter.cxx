@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorImporter.h"
 
+#include "Pipeline/cslfVTKCompatibility.h"
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
 #include "cslfCellKinds.h"
@@ -11,8 +13,6 @@
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
 #include "cslfTextureImage.h"
-#include "cslfVTKCompatibility.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 

@@ -3,11 +3,11 @@
 #include "cslfBlockAppearances.h"
 
 #include "Pipeline/cslfTriangleList.h"
+#include "Pipeline/cslfVTKCompatibility.h"
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfActorParts.h"
 #include "cslfColor.h"
 #include "cslfSurfaceAppearance.h"
-#include "cslfVTKCompatibility.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 

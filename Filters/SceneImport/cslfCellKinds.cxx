@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCellKinds.h"
 
-#include "cslfValidPolyData.h"
+#include "Pipeline/cslfValidPolyData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -3,9 +3,9 @@
 #include "cslfClippedBlock.h"
 
 #include "Pipeline/cslfTriangleList.h"
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfActorImporter.h"
 #include "cslfCellKinds.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkAppendPolyData.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGlyphImporter.h"
 
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfCellKinds.h"
 #include "cslfMappedScalars.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkActor.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
-#include "PathTracing/Materials/cslfSurfaceColors.h"
+#include "PathTracing/Scene/cslfSurfaceColors.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfImportedScene.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
@@ -101,8 +101,8 @@ void CopyRest(vtkColorTransferFunction* function, vtkColorTransferFunction* copy
   }
 }
 
-/// A new table of a class that maps like the table's. ParaView's subclass builds its categories from
-/// a set that only it has, and would lose them.
+/// A new table of a class that maps like the table's. ParaView's subclass builds its categories
+/// from a set that only it has, and would lose them.
 vtkSmartPointer<vtkScalarsToColors> MakeTableLike(vtkScalarsToColors* table)
 {
   if (table->IsA("vtkDiscretizableColorTransferFunction"))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorParts.h"
 
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfMappedScalars.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureImage.h"
 
-#include "PathTracing/Materials/cslfSurfaceColors.h"
+#include "PathTracing/Scene/cslfSurfaceColors.h"
 #include "Pipeline/cslfArrayLayout.h"
-#include "cslfVTKCompatibility.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>

@@ -5,8 +5,8 @@
 // stays gray, and chroma does not spread between tiles.
 #include "cslfTesting.h"
 
+#include "Coding/Codecs/cslfTrack.h"
 #include "Coding/Frames/cslfColorFrames.h"
-#include "Coding/Frames/cslfTrack.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // Each encoder accepts its options. Unknown options and invalid values are refused by name.
 #include "cslfTesting.h"
 
-#include "Coding/Codecs/cslfEncoderContext.h"
 #include "Coding/Frames/cslfColorFrames.h"
+#include "Coding/Groups/cslfEncoderContext.h"
 
 #include <iostream>
 #include <string>

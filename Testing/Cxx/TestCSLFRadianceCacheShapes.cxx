@@ -4,7 +4,7 @@
 // The cached light of spheres, tubes and instances: that of a gradient, which is known exactly;
 // that of path tracing where shapes hide each other; and none where it is not stored.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "cslfTestTransport.h"
 
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Rectangles of a grid's rays that cannot hit a box are detected, and no others.
-#include "PathTracing/Texels/cslfRayGrid.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "cslfTesting.h"
 
 #include <vtkBox.h>

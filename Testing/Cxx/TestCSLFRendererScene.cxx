@@ -3,8 +3,8 @@
 
 // The lifetime of a renderer whose scene is imported or traced: it and everything that it shows are
 // freed, even if it shows what was made of its scene. Without such actors, its scene stays.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFSampler.h"
 #include "vtkCSLFSceneImporter.h"

@@ -4,7 +4,7 @@
 // A scene in pieces on several ranks: lights that come with every piece count once, and messages of
 // any size transport the pieces. If one rank fails, all ranks fail with a message that gives the
 // reason, and none waits.
-#include "PathTracing/Scene/cslfSceneGather.h"
+#include "Parallel/cslfSceneGather.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEnvironment.h"
@@ -209,7 +209,7 @@ void TestParts(vtkMultiProcessController* controller)
   }
   for (const std::size_t size : { std::size_t(1), std::size_t(999), cslf::LargestMessage })
   {
-    cslf::SceneGather gather(controller, size);
+    cslf::SceneGather gather(controller, "", size);
     std::string error;
     CSLF_CHECK(gather.Begin(inputs, error));
     CSLF_CHECK(gather.Finish(error));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Composite data of a renderer, with blocks of different appearance; and PBR textures of actors.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"

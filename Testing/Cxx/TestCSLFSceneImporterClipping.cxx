@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Clipping planes of mappers cut the imported geometry like the drawn one.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFSceneImporter.h"
 

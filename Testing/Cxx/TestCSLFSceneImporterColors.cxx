@@ -3,10 +3,10 @@
 
 // Colours between points and between the pixels of a texture: baked as VTK's window interpolates
 // them, or as light.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfColor.h"
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"

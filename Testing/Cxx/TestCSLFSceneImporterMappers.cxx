@@ -3,9 +3,9 @@
 
 // Mappers that draw other shapes than their input's polygons: the shapes are imported, and a
 // warning names props that are not.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
 

@@ -3,10 +3,10 @@
 
 // Points, wireframes, lines, visible edges and vertices: which ones are imported, and with which
 // colours, compared with what VTK draws.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfColor.h"
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
 

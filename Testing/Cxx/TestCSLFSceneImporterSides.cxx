@@ -3,9 +3,9 @@
 
 // Culling and properties of back faces: compares VTK's window with the traced picture for both
 // sides of a square.
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkActor.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRemux.h"
 
-#include "Coding/Frames/cslfTrack.h"
+#include "Coding/Codecs/cslfTrack.h"
 
 #include <cstddef>
 #include <cstdint>

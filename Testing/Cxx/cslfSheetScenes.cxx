@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSheetScenes.h"
 
+#include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfSheetParts.h"
-#include "cslfVTKCompatibility.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>

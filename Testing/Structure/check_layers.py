@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks which folders include which, and which libraries they use.
+"""Checks which folders include which, in one direction only, and which libraries they use.
 
 usage: check_layers.py SOURCE_FOLDER
 """
 import pathlib
 import re
 import sys
+
+ROOTS = ("Module", "Filters", "Rendering")
 
 # Each layer, with the layers whose headers it may include. A layer is a folder with its subfolders.
 # The classes of Filters itself, such as vtkCSLFEncoder, combine these layers and are not checked.
@@ -37,9 +39,7 @@ LAYERS = {
     "Rendering": ["Module", "Filters/Options", "Filters/Pipeline", "Filters/Lookup"],
 }
 
-# Headers of Filters itself that all layers may include, and classes that single layers may use.
-SHARED = {"cslfDecimalPoint.h", "cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h",
-    "cslfVTKCompatibility.h", "cslfValidPolyData.h", "vtkCSLFModule.h"}
+# Classes of Filters itself that single layers may use.
 CLASSES = {
     "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
     "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
@@ -47,6 +47,15 @@ CLASSES = {
     "Filters/Planning": {"vtkCSLFSampler.h"},
     "Filters/Pipeline": {"vtkCSLFDecoder.h"},
     "Rendering": {"vtkCSLFDecoder.h"},
+}
+
+# Folders that still include each other: the classes of Filters and what they consist of, and paths
+# that look light up in a cache that is filled by paths.
+MUTUAL = {
+    ("Filters", "Filters/GLTF"), ("Filters", "Filters/PathTracing/Materials"),
+    ("Filters", "Filters/PathTracing/Scene"), ("Filters", "Filters/Pipeline"),
+    ("Filters", "Filters/Planning"), ("Filters", "Filters/SceneImport"),
+    ("Filters/PathTracing/Paths", "Filters/PathTracing/RadianceCache"),
 }
 
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
@@ -73,7 +82,7 @@ def layer_of(folder):
 
 def find_header(source, file, name):
     """The path of an included header of ours below the source folder, or None."""
-    for folder in [file.parent, *(source / root for root in ("Module", "Filters", "Rendering"))]:
+    for folder in [file.parent, *(source / root for root in ROOTS)]:
         if (folder / name).is_file():
             return (folder / name).resolve().relative_to(source)
     return None
@@ -82,7 +91,7 @@ def find_header(source, file, name):
 def check_own(source, file, layer, name):
     """What is wrong with the include of a header of ours, or None."""
     header = find_header(source, file, name)
-    if header is None or header.name in SHARED or header.name in CLASSES.get(layer, ()):
+    if header is None or header.name in CLASSES.get(layer, ()):
         return None
     other = layer_of(str(header.parent))
     if other is None:
@@ -100,20 +109,38 @@ def check_library(layer, name):
     return None
 
 
-def find_faults(source):
-    for root in ("Module", "Filters", "Rendering"):
+def read_includes(source):
+    """The files, with each of their includes: the name, and whether it is in quotation marks."""
+    for root in ROOTS:
         for file in sorted((source / root).rglob("*")):
-            layer = layer_of(str(file.parent.relative_to(source)))
-            if file.suffix not in (".h", ".cxx") or layer is None:
-                continue
-            for line in file.read_text(encoding="utf-8").splitlines():
-                include = re.match(r'#\s*include\s*(["<])([^">]+)', line)
-                if include:
-                    own = include[1] == '"'
-                    fault = (check_own(source, file, layer, include[2]) if own
-                        else check_library(layer, include[2]))
-                    if fault:
-                        yield f"{file.relative_to(source)} {fault}"
+            if file.suffix in (".h", ".cxx"):
+                for line in file.read_text(encoding="utf-8").splitlines():
+                    include = re.match(r'#\s*include\s*(["<])([^">]+)', line)
+                    if include:
+                        yield file, include[2], include[1] == '"'
+
+
+def find_faults(source):
+    for file, name, is_own in read_includes(source):
+        layer = layer_of(str(file.parent.relative_to(source)))
+        if layer is not None:
+            fault = (check_own(source, file, layer, name) if is_own
+                else check_library(layer, name))
+            if fault:
+                yield f"{file.relative_to(source)} {fault}"
+
+
+def find_mutual(source):
+    """The folders that include each other."""
+    pairs = {}
+    for file, name, is_own in read_includes(source):
+        header = find_header(source, file, name) if is_own else None
+        if header is not None:
+            pair = str(file.parent.relative_to(source)), str(header.parent)
+            pairs.setdefault(pair, f"{file.name} includes {header.name}")
+    for (one, other), example in pairs.items():
+        if one < other and (other, one) in pairs and (one, other) not in MUTUAL:
+            yield f"{one} and {other} include each other: {example}, {pairs[other, one]}"
 
 
 def find_cycle():
@@ -129,7 +156,7 @@ def find_cycle():
 
 def main():
     source = pathlib.Path(sys.argv[1]).resolve()
-    faults = list(find_faults(source))
+    faults = [*find_faults(source), *find_mutual(source)]
     cycle = find_cycle()
     if cycle:
         faults.append(f"{cycle} builds on itself")

@@ -8,7 +8,7 @@
 #ifndef cslfVideoEncoders_h
 #define cslfVideoEncoders_h
 
-#include "Coding/Frames/cslfTrack.h"
+#include "cslfTrack.h"
 #include "vtkCSLFModule.h"
 
 #include <string>

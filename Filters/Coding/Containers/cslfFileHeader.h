@@ -8,7 +8,7 @@
 #ifndef cslfFileHeader_h
 #define cslfFileHeader_h
 
-#include "Coding/Frames/cslfTrack.h"
+#include "Coding/Codecs/cslfTrack.h"
 #include "cslfDescription.h"
 #include "cslfFileParts.h"
 #include "cslfHeaderText.h"

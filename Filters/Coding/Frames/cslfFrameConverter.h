@@ -12,7 +12,7 @@
 #ifndef cslfFrameConverter_h
 #define cslfFrameConverter_h
 
-#include "cslfTrack.h"
+#include "Coding/Codecs/cslfTrack.h"
 #include "cslfViewpointSamples.h"
 
 #include <vector>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRadianceFrames.h"
 
+#include "Coding/Codecs/cslfTrack.h"
 #include "cslfColorRows.h"
 #include "cslfPerceptualQuantizer.h"
-#include "cslfTrack.h"
 
 #include <algorithm>
 #include <cstdint>

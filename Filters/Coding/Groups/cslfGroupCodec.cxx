@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupCodec.h"
 
-#include "Coding/Codecs/cslfEncoderContext.h"
 #include "cslfCodingTask.h"
+#include "cslfEncoderContext.h"
 #include "cslfLayout.h"
 
 #include <mutex>

@@ -8,8 +8,8 @@
 #ifndef cslfViewpointStore_h
 #define cslfViewpointStore_h
 
-#include "Coding/Groups/cslfGroupDecoder.h"
 #include "cslfBackgroundSteps.h"
+#include "cslfGroupDecoder.h"
 #include "cslfViewpointSamples.h"
 
 #include <condition_variable>

@@ -8,11 +8,11 @@
 #ifndef cslfEncodeSession_h
 #define cslfEncodeSession_h
 
-#include "Coding/RateControl/cslfHeldOutViews.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfEncodeRanks.h"
 #include "cslfFieldWriter.h"
 #include "cslfGroupCache.h"
+#include "cslfHeldOutViews.h"
 #include "cslfSlicePuller.h"
 
 #include <chrono>

@@ -9,8 +9,8 @@
 
 #include "Coding/Containers/cslfFileHeader.h"
 #include "Coding/Frames/cslfFrameOrder.h"
-#include "Coding/Groups/cslfGroupCoder.h"
 #include "cslfGeometryPlan.h"
+#include "cslfGroupCoder.h"
 #include "cslfPartStore.h"
 
 #include <cstdint>

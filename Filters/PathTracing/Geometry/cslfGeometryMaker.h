@@ -11,8 +11,8 @@
 
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfSurfaceMesh.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfScene.h"
-#include "PathTracing/Texels/cslfRayGrid.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"

@@ -10,8 +10,8 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "Geometry/cslfSurfaceMesh.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfScene.h"
-#include "PathTracing/Texels/cslfRayGrid.h"
 #include "Pipeline/cslfPhase.h"
 
 #include <glm/vec2.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLocalLights.h"
 
-#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfRoundView.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"

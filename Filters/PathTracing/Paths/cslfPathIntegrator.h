@@ -10,7 +10,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Lights/cslfDirectLight.h"
+#include "cslfDirectLight.h"
 #include "cslfPathBatch.h"
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef cslfPathPacket_h
 #define cslfPathPacket_h
 
-#include "PathTracing/Rays/cslfRayLanes.h"
+#include "PathTracing/Scene/cslfRayLanes.h"
 #include "RandomNumbers/cslfStreamLanes.h"
 
 namespace cslf

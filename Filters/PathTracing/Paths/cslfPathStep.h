@@ -7,7 +7,7 @@
 #ifndef cslfPathStep_h
 #define cslfPathStep_h
 
-#include "PathTracing/Lights/cslfDirectLight.h"
+#include "cslfDirectLight.h"
 #include "cslfPathPacket.h"
 #include "cslfScatterLanes.h"
 

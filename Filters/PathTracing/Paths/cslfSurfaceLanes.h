@@ -7,7 +7,7 @@
 #ifndef cslfSurfaceLanes_h
 #define cslfSurfaceLanes_h
 
-#include "PathTracing/Rays/cslfRayLanes.h"
+#include "PathTracing/Scene/cslfRayLanes.h"
 
 namespace cslf
 {
@@ -28,7 +28,7 @@ struct SurfaceLanes
   std::uint32_t Shining = 0;    ///< a bit for each emissive lane
   std::uint32_t Scattering = 0; ///< a bit for each lane that is not Lambertian
 
-  /// Like SurfaceHit::GetReceiver.
+  /// Like SurfaceHit::GetReceiverNormal, with the position.
   LightReceiver GetReceiver(int lane) const
   {
     return { this->LeavePosition.Get(lane), this->GetReceiverNormal(lane) };

@@ -10,7 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
-#include "PathTracing/Texels/cslfRayGrid.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "cslfCacheShare.h"
 
 #include <cstdint>

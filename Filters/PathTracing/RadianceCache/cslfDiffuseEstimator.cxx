@@ -396,7 +396,7 @@ public:
     start.Hash = this->Samples.Hash;
     start.Index = static_cast<std::uint32_t>(index);
     start.Pdf = direction.z * InversePi;
-    start.Normal = this->Samples.From.Surface.GetReceiver().Normal;
+    start.Normal = this->Samples.From.Surface.GetReceiverNormal();
     this->Batch.Add(start, hit);
     this->Starts.push_back({ index, direction });
     if (this->Batch.GetSize() == PathBatch::Capacity)

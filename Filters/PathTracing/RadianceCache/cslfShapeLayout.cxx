@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfShapeLayout.h"
 
-#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "cslfClosedBodies.h"
 #include "cslfShapePoints.h"
 #include "cslfVertexClusters.h"

@@ -226,7 +226,7 @@ private:
     start.Hash = hash;
     start.Index = number;
     start.Pdf = CosineHemispherePdf(direction);
-    start.Normal = surface.GetReceiver().Normal;
+    start.Normal = surface.GetReceiverNormal();
     sample.Cell = place.Cell;
     sample.Terms = ShapeFit::MakeTerms(surface.ShadingNormal, place.Offset);
     starts.push_back(

@@ -3,7 +3,7 @@
 #include "cslfShapePoints.h"
 
 #include "PathTracing/Materials/cslfFrame.h"
-#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "RandomNumbers/cslfSampling.h"
 

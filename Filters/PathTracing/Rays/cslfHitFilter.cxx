@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHitFilter.h"
 
-#include "PathTracing/Shapes/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "RandomNumbers/cslfSampleStream.h"
+#include "cslfHitGeometry.h"
 
 #include <glm/geometric.hpp>
 

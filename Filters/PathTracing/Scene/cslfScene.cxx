@@ -4,11 +4,11 @@
 
 #include "PathTracing/Rays/cslfEmbree.h"
 #include "PathTracing/Rays/cslfHitFilter.h"
-#include "PathTracing/Rays/cslfRayLanes.h"
-#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "Pipeline/cslfPhase.h"
 #include "SIMD/cslfVectorize.h"
+#include "cslfRayLanes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>

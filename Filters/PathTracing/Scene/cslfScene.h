@@ -14,6 +14,7 @@
 #include "PathTracing/Lights/cslfEnvironment.h"
 #include "PathTracing/Lights/cslfLocalLights.h"
 #include "PathTracing/Lights/cslfPointLight.h"
+#include "PathTracing/Rays/cslfHitGeometry.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfBox.h"
 #include "PathTracing/Shapes/cslfMesh.h"
@@ -31,39 +32,6 @@ namespace cslf
 struct HitLanes;
 struct RayLanes;
 struct ShadowLanes;
-
-/// A surface point as seen by a ray.
-struct SurfaceHit
-{
-  glm::vec3 GeometricNormal; ///< on the side the ray comes from
-  glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
-  glm::vec3 LeavePosition; ///< the origin of rays that leave on that side: a little off the surface
-  glm::vec3 PassPosition;  ///< the origin of rays that leave on the other side
-  bool Inside;             ///< whether the ray comes from behind: its triangle is clockwise
-  glm::vec3 BaseColor;
-  float Metallic;
-  float Alpha;
-  glm::vec3 Emission;
-  const SurfaceMaterial* Material;
-
-  /// The origin of rays that leave at a cosine to the shading normal.
-  const glm::vec3& GetStart(float cosine) const
-  {
-    return cosine < 0.0f ? this->PassPosition : this->LeavePosition;
-  }
-
-  /// The receiver of light samples: both sides of a surface that transmits light.
-  LightReceiver GetReceiver() const
-  {
-    return { this->LeavePosition,
-      this->Material->Transmission > 0.0f ? glm::vec3(0.0f) : this->ShadingNormal };
-  }
-
-  MaterialPoint GetMaterialPoint() const
-  {
-    return { this->BaseColor, this->Metallic, this->Alpha };
-  }
-};
 
 /// The similarity between world and scene space.
 struct SceneFrame

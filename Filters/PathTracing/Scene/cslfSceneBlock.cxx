@@ -3,8 +3,8 @@
 #include "cslfSceneBlock.h"
 
 #include "PathTracing/Shapes/cslfTriangles.h"
+#include "Pipeline/cslfValidPolyData.h"
 #include "cslfColor.h"
-#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 

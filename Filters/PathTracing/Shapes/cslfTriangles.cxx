@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTriangles.h"
 
-#include "cslfValidPolyData.h"
+#include "Pipeline/cslfValidPolyData.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkPolyData.h>

@@ -10,10 +10,10 @@
 
 #include "PathTracing/Paths/cslfPathBatch.h"
 #include "PathTracing/RadianceCache/cslfDiffuseLookUp.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "SIMD/cslfVectorize.h"
-#include "cslfRayGrid.h"
 #include "cslfSamplePlaces.h"
 #include "cslfViewpointSamples.h"
 

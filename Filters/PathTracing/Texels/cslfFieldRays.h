@@ -9,10 +9,10 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
-#include "cslfRayGrid.h"
 
 namespace cslf
 {

@@ -11,8 +11,8 @@
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "PathTracing/RadianceCache/cslfDiffuseLookUp.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "Quality/cslfDisplayCurve.h"
-#include "cslfRayGrid.h"
 #include "cslfSamplePlaces.h"
 #include "cslfStoppingRule.h"
 #include "cslfTexelSums.h"

@@ -10,7 +10,7 @@
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Frames/cslfFrameConverter.h"
 #include "Coding/Geometry/cslfGeometryDepths.h"
-#include "cslfTrackDecoder.h"
+#include "Coding/Groups/cslfTrackDecoder.h"
 
 #include <atomic>
 #include <memory>

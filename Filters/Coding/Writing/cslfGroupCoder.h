@@ -7,10 +7,10 @@
 #ifndef cslfGroupCoder_h
 #define cslfGroupCoder_h
 
-#include "Coding/Writing/cslfEncodeSettings.h"
+#include "Coding/Groups/cslfCodingTask.h"
+#include "Coding/Groups/cslfGroupCodec.h"
 #include "Pipeline/cslfPhase.h"
-#include "cslfCodingTask.h"
-#include "cslfGroupCodec.h"
+#include "cslfEncodeSettings.h"
 
 #include <functional>
 #include <string>

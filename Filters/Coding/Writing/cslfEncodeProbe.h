@@ -7,9 +7,9 @@
 #ifndef cslfEncodeProbe_h
 #define cslfEncodeProbe_h
 
-#include "Coding/Writing/cslfFieldWriter.h"
-#include "Coding/Writing/cslfSlicePuller.h"
 #include "Pipeline/cslfRequests.h"
+#include "cslfFieldWriter.h"
+#include "cslfSlicePuller.h"
 
 #include <vtkSmartPointer.h>
 

@@ -7,7 +7,7 @@
 #ifndef cslfSurfaceColors_h
 #define cslfSurfaceColors_h
 
-#include "cslfTexture.h"
+#include "PathTracing/Materials/cslfTexture.h"
 
 #include <vtkSmartPointer.h>
 

@@ -7,7 +7,7 @@
 #ifndef cslfLightReader_h
 #define cslfLightReader_h
 
-#include "PathTracing/Scene/cslfScene.h"
+#include "cslfScene.h"
 
 #include <glm/vec3.hpp>
 

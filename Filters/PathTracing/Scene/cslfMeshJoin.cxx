@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMeshJoin.h"
 
-#include "PathTracing/Scene/cslfFingerprint.h"
+#include "cslfFingerprint.h"
 
 #include <glm/common.hpp>
 

@@ -15,7 +15,7 @@
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
 
-#include "Coding/Writing/cslfSlicePuller.h"
+#include "cslfSlicePuller.h"
 
 #include <functional>
 #include <string>

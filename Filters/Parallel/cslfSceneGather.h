@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "Parallel/cslfBroadcast.h"
+#include "cslfBroadcast.h"
 
 #include <vtkCharArray.h>
 #include <vtkNew.h>
@@ -40,9 +40,9 @@ struct GatherCost
 class VTKCSLF_EXPORT SceneGather
 {
 public:
-  /// Messages have `partSize` bytes at most.
-  explicit SceneGather(
-    vtkMultiProcessController* controller, std::size_t partSize = LargestMessage);
+  /// `arithmetic` identifies how this rank computes. Messages have `partSize` bytes at most.
+  SceneGather(vtkMultiProcessController* controller, const std::string& arithmetic,
+    std::size_t partSize = LargestMessage);
 
   /// Prepares a rank's inputs for the others and determines the size of all ranks' inputs. If a
   /// rank cannot give its inputs, `error` gives the reason.
@@ -50,7 +50,7 @@ public:
 
   const GatherCost& GetCost() const { return this->Cost; }
 
-  /// Whether all ranks compute identically: see GetArithmetic.
+  /// Whether all ranks have the same arithmetic.
   bool AreAlike() const { return this->Alike; }
 
   /// Gathers the inputs of all ranks.
@@ -65,6 +65,7 @@ private:
   bool Unpack(char* bytes, std::uint64_t count, int rank);
 
   vtkMultiProcessController* Controller;
+  std::string Arithmetic;
   std::size_t PartSize;
   vtkNew<vtkCharArray> Mine;
   std::vector<std::uint64_t> Sizes; // of what each rank sends

@@ -3,11 +3,11 @@
 #include "cslfDirectLight.h"
 
 #include "PathTracing/Materials/cslfLambert.h"
-#include "PathTracing/Paths/cslfScatterLanes.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "RandomNumbers/cslfStreamLanes.h"
 #include "SIMD/cslfVectorize.h"
+#include "cslfScatterLanes.h"
 
 #include <cmath>
 

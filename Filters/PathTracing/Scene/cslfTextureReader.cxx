@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureReader.h"
 
+#include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "Pipeline/cslfArrayLayout.h"
 #include "cslfColor.h"
-#include "cslfDisplayedColor.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkImageData.h>

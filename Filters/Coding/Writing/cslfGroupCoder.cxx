@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupCoder.h"
+#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfTrackDecoder.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "cslfColor.h"
-#include "cslfGroupCodec.h"
 #include "cslfLayout.h"
-#include "cslfTrackDecoder.h"
 
 #include <algorithm>
 #include <atomic>

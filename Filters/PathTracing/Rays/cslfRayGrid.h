@@ -9,8 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfBox.h"
+#include "cslfRayPacket.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

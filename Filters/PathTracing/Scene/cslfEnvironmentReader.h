@@ -7,7 +7,7 @@
 #ifndef cslfEnvironmentReader_h
 #define cslfEnvironmentReader_h
 
-#include "cslfEnvironment.h"
+#include "PathTracing/Lights/cslfEnvironment.h"
 
 class vtkDataObject;
 

@@ -3,9 +3,9 @@
 #include "cslfMeshMaker.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "PathTracing/Shapes/cslfTriangles.h"
+#include "PathTracing/Shapes/cslfTubeDivision.h"
 #include "RandomNumbers/cslfSampleStream.h"
-#include "cslfTriangles.h"
-#include "cslfTubeDivision.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfValidPolyData.h"
 
-#include "Pipeline/cslfArrayLayout.h"
+#include "cslfArrayLayout.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>

@@ -7,7 +7,7 @@
 #ifndef cslfVTKCompatibility_h
 #define cslfVTKCompatibility_h
 
-#include "Pipeline/cslfInterpreter.h"
+#include "cslfInterpreter.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkMapper.h>

@@ -7,8 +7,8 @@
 #ifndef cslfRayLanes_h
 #define cslfRayLanes_h
 
-#include "PathTracing/Scene/cslfScene.h"
 #include "SIMD/cslfLanes.h"
+#include "cslfScene.h"
 
 namespace cslf
 {

@@ -8,7 +8,7 @@
 #ifndef cslfEncoderContext_h
 #define cslfEncoderContext_h
 
-#include "cslfVideoEncoders.h"
+#include "Coding/Codecs/cslfVideoEncoders.h"
 #include "vtkCSLFModule.h"
 
 #include <string>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfArithmetic.h"
 
+#include "PathTracing/Scene/cslfFingerprint.h"
+#include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Shapes/cslfMesh.h"
-#include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
-#include "cslfFingerprint.h"
-#include "cslfScene.h"
+#include "cslfTexelRenderer.h"
 
 #include <glm/geometric.hpp>
 

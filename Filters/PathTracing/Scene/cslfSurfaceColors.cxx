@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceColors.h"
 
-#include "PathTracing/Scene/cslfFingerprint.h"
 #include "cslfColor.h"
+#include "cslfFingerprint.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>

@@ -7,8 +7,8 @@
 #ifndef cslfTrack_h
 #define cslfTrack_h
 
-#include "Coding/Codecs/cslfCodec.h"
 #include "cslfChannel.h"
+#include "cslfCodec.h"
 
 #include <optional>
 #include <string>

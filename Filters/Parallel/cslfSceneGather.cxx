@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneGather.h"
 
-#include "cslfArithmetic.h"
-
 #include <vtkCommunicator.h>
 #include <vtkDataObject.h>
 #include <vtkMultiProcessController.h>
@@ -68,8 +66,10 @@ std::string GatherCost::FindWarning() const
     " of memory. Run fewer ranks with more threads each.";
 }
 
-SceneGather::SceneGather(vtkMultiProcessController* controller, std::size_t partSize)
+SceneGather::SceneGather(
+  vtkMultiProcessController* controller, const std::string& arithmetic, std::size_t partSize)
   : Controller(controller)
+  , Arithmetic(arithmetic)
   , PartSize(std::max<std::size_t>(partSize, 1))
 {
 }
@@ -110,7 +110,7 @@ void SceneGather::FindCost()
   std::vector<unsigned long long> hosts(this->Sizes.size());
   this->Controller->AllGather(&mine, hosts.data(), 1);
   const auto neighbours = std::count(hosts.begin(), hosts.end(), mine);
-  const unsigned long long arithmetic = std::hash<std::string>()(GetArithmetic());
+  const unsigned long long arithmetic = std::hash<std::string>()(this->Arithmetic);
   std::vector<unsigned long long> arithmetics(this->Sizes.size());
   this->Controller->AllGather(&arithmetic, arithmetics.data(), 1);
   this->Alike = std::count(arithmetics.begin(), arithmetics.end(), arithmetic) ==

@@ -7,9 +7,9 @@
 #ifndef cslfMeshMaker_h
 #define cslfMeshMaker_h
 
-#include "PathTracing/Materials/cslfSurfaceColors.h"
-#include "PathTracing/Scene/cslfScene.h"
-#include "PathTracing/Scene/cslfSceneBlock.h"
+#include "cslfScene.h"
+#include "cslfSceneBlock.h"
+#include "cslfSurfaceColors.h"
 
 namespace cslf
 {

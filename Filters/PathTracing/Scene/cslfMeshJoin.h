@@ -7,7 +7,7 @@
 #ifndef cslfMeshJoin_h
 #define cslfMeshJoin_h
 
-#include "cslfMesh.h"
+#include "PathTracing/Shapes/cslfMesh.h"
 
 #include <vector>
 

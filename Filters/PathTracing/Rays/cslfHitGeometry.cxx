@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHitGeometry.h"
 
-#include "cslfTriangleGeometry.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
