@@ -172,13 +172,9 @@ int vtkCSLFSampler::RequestData(
 {
   const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
   cslf::Description description;
-  if (!scene && cslf::IsAborted(this))
-  {
-    return this->SetAborted(outputVector);
-  }
   if (!scene || !this->Describe(*scene, description))
   {
-    return 0;
+    return cslf::IsAborted(this) ? 1 : 0;
   }
   const int side = this->Resolution;
   const cslf::CheckedPicture whole{ side, side, cslf::TileCount, description.Grid.GetSlices(),
@@ -191,36 +187,9 @@ int vtkCSLFSampler::RequestData(
   {
     this->UpdateGeometry(*scene, description, whole);
   }
-  if (!cslf::IsPortWanted(outputVector, 1))
-  {
-    return 1;
-  }
-  if (this->Geometry && isDone)
+  if (isDone && this->Geometry && cslf::IsPortWanted(outputVector, 1))
   {
     vtkPolyData::GetData(outputVector, 1)->ShallowCopy(this->Geometry);
-  }
-  else if (!isDone || this->GeometryTriangles > 0)
-  {
-    cslf::SetNotMade(outputVector, 1);
-    if (isDone && cslf::IsAborted(this))
-    {
-      // The field is whole, but the next Update() has to make the geometry.
-      cslf::SetNotMade(outputVector, 0);
-    }
-  }
-  return 1;
-}
-
-// Leaves the requested outputs empty.
-int vtkCSLFSampler::SetAborted(vtkInformationVector* outputVector)
-{
-  if (cslf::IsPortWanted(outputVector, 0))
-  {
-    vtkImageData::GetData(outputVector, 0)->Initialize();
-  }
-  if (cslf::IsPortWanted(outputVector, 1))
-  {
-    cslf::SetNotMade(outputVector, 1);
   }
   return 1;
 }
@@ -277,7 +246,6 @@ bool vtkCSLFSampler::SampleField(const cslf::CheckedPicture& whole, cslf::Descri
   if (!this->Render(whole, extent[4], extent[5] - extent[4] + 1, cslf::ViewpointSamples(output),
         this->SurfaceTexels, "Sampling viewpoints"))
   {
-    output->Initialize();
     return false;
   }
   nlohmann::json sampling = nlohmann::json::parse(this->DescribeSampling());

@@ -209,7 +209,6 @@ private:
   void operator=(const vtkCSLFSampler&) = delete;
 
   bool CheckParameters();
-  int SetAborted(vtkInformationVector* outputVector);
   bool Describe(const cslf::BuiltScene& scene, cslf::Description& description);
   bool SampleField(const cslf::CheckedPicture& whole, cslf::Description& description,
     vtkInformation* info, bool hasGeometry);

@@ -6,7 +6,6 @@
 
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPortsOnDemand.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
@@ -504,8 +503,7 @@ int vtkCSLFSceneImporter::RequestData(
     }
     if (!phase.Report(static_cast<double>(++done) / props))
     {
-      cslf::SetNotMade(outputVector, 0);
-      return 1;
+      return 1; // aborted
     }
   }
   MeetPasses(renderer->GetPass(), scene);

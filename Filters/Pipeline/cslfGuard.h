@@ -9,6 +9,7 @@
 #define cslfGuard_h
 
 #include "Pipeline/cslfInterpreter.h"
+#include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -117,10 +118,11 @@ public:
 };
 
 /// The same for ProcessRequest, which makes a filter's outputs: they are empty then, and the
-/// request is not printed, since filters report why they fail. If the interpreter's user ended it,
-/// they are empty too, the request fails, and the next one makes them. After a failure it also
-/// drops the extents that VTK combines the next request with, which VTK does only after success:
-/// they could be beyond what the output is after a change.
+/// request is not printed, since filters report why they fail. If the filter was aborted, they are
+/// empty too, as newer versions of VTK have it, and the next request makes them; if the
+/// interpreter's user ended it, the request also fails. After a failure it also drops the extents
+/// that VTK combines the next request with, which VTK does only after success: they could be beyond
+/// what the output is after a change.
 template <typename Work>
 vtkTypeBool GuardRequest(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Work& work)
@@ -135,9 +137,9 @@ vtkTypeBool GuardRequest(
       return made;
     });
   const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
-  const bool isEnded = makesData && IsInterrupted();
-  result = isEnded ? 0 : result;
-  isDone = isDone && !isEnded;
+  const bool isAborted = makesData && IsAborted(filter);
+  result = isAborted && IsInterrupted() ? 0 : result;
+  isDone = isDone && !isAborted;
   if (!result)
   {
     FailedRequestObserver::Add(filter->GetExecutive());
@@ -150,7 +152,7 @@ vtkTypeBool GuardRequest(
     {
       data->Initialize();
     }
-    if (isEnded)
+    if (isAborted)
     {
       output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
