@@ -20,7 +20,7 @@ namespace
 {
 /// A viewpoint sees a point if it sees something as near as this to its plane, in texels at the
 /// cube's centre.
-constexpr double SeenTexels = 1.5;
+constexpr double ColoredTexels = 1.5;
 
 /// Reads the colour of a strip at a place, from the texels around it that see the same surface.
 glm::vec4 ReadColor(int resolution, const ViewpointSamples& samples, const StripPlace& place)
@@ -65,7 +65,7 @@ PointColors::PointColors(const DepthViews& views, const SurfaceMesh& mesh, const
     StripPlace Place;
   };
   const std::vector<glm::vec3> normals = FindNormals(mesh);
-  const double distance = SeenTexels * views.GetTexel();
+  const double distance = ColoredTexels * views.GetTexel();
   const int resolution = views.GetGrid().GetResolution();
   for (int side = 0; side < 2; ++side)
   {

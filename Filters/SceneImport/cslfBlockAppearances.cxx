@@ -22,6 +22,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <cstdlib>
@@ -103,17 +104,12 @@ void SetFinished(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* colors)
   attributes->SetScalars(finished);
 }
 
-glm::dvec3 ToColor(const double* color)
-{
-  return { color[0], color[1], color[2] };
-}
-
 /// The colour that a block has instead of the property's, or that of the property.
 glm::dvec3 FindOwnColor(const BlockAppearance& appearance, const double* color)
 {
   return appearance.HasTable ? glm::dvec3(1.0)
-    : appearance.Color       ? ToColor(appearance.Color->data())
-                             : ToColor(color);
+    : appearance.Color       ? glm::make_vec3(appearance.Color->data())
+                             : glm::make_vec3(color);
 }
 
 /// `a / b`, or 0 where b is 0.
@@ -427,7 +423,7 @@ std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
   }
   double center[3];
   box.GetCenter(center);
-  return { ToColor(center), 0.5 * box.GetMaxLength() };
+  return { glm::make_vec3(center), 0.5 * box.GetMaxLength() };
 }
 
 void AddTo(ShadingModels& models, const BlockAppearance& appearance)

@@ -10,6 +10,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -30,11 +31,6 @@ constexpr double LargestMetallic = 0.3;
 
 // VTK encodes physically based shading with this exponent.
 constexpr double PhysicalGamma = 2.2;
-
-glm::dvec3 ToColor(const double* color)
-{
-  return { color[0], color[1], color[2] };
-}
 
 /// The index of refraction of a boundary with this reflectance at normal incidence.
 double ToIndexOfRefraction(double reflectance)
@@ -184,8 +180,8 @@ void SurfaceAppearance::FindHighlight(const std::vector<glm::dvec3>& typical)
   {
     const glm::dvec3 base =
       glm::min(color * (this->Property->GetAmbient() + this->Property->GetDiffuse() * window), 1.0);
-    const glm::dvec3 top = glm::min(
-      base + this->Property->GetSpecular() * ToColor(this->Property->GetSpecularColor()) * window,
+    const glm::dvec3 top = glm::min(base +
+        this->Property->GetSpecular() * glm::make_vec3(this->Property->GetSpecularColor()) * window,
       1.0);
     const glm::dvec3 reflected =
       SRGBToLinear(base) - SRGBToLinear(this->Property->GetAmbient() * color);

@@ -34,7 +34,7 @@ const Vortex Vortices[] = { { { -14.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } },
   { { 3.0, 2.0, -2.0 }, { 0.0, 0.8, -0.6 } }, { { 18.0, -3.0, 3.0 }, { 0.6, 0.0, 0.8 } } };
 
 /// The sum of the vortices, each with a core of radius 7, and of a wind along X.
-glm::dvec3 GetVelocity(const glm::dvec3& point)
+glm::dvec3 GetFlow(const glm::dvec3& point)
 {
   glm::dvec3 velocity(0.35, 0.0, 0.0);
   for (const Vortex& vortex : Vortices)
@@ -66,7 +66,7 @@ void AddArrows(vtkRenderer* renderer)
     {
       point[axis] = place[axis] - 0.5 * (Sizes[axis] - 1) + random->GetNextRangeValue(-0.3, 0.3);
     }
-    const glm::dvec3 velocity = GetVelocity(point);
+    const glm::dvec3 velocity = GetFlow(point);
     points->InsertNextPoint(point.x, point.y, point.z);
     velocities->InsertNextTuple3(velocity.x, velocity.y, velocity.z);
     speeds->InsertNextValue(glm::length(velocity));

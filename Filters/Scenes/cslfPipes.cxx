@@ -31,7 +31,7 @@ using Color = std::array<double, 3>;
 /// A point of a sheet, of coordinates in [0,1].
 using Sheet = std::function<glm::dvec3(double u, double v)>;
 
-const double Turn = glm::radians(360.0);
+const double FullTurn = glm::radians(360.0);
 
 /// A sheet without thickness.
 void AddSheet(vtkRenderer* renderer, int columns, int rows, const Color& color, const Sheet& sheet)
@@ -132,7 +132,7 @@ void AddPipe(vtkRenderer* renderer, const Color& color, const Path& path, const 
     {
       const Bend& bend = path.Get(u);
       const glm::dvec3 left = -bend.Direction.y * x + bend.Direction.x * y;
-      const double angle = Turn * (start + part * v);
+      const double angle = FullTurn * (start + part * v);
       return origin + bend.Position.x * x + bend.Position.y * y +
         radius * (std::cos(angle) * left + std::sin(angle) * z);
     });
@@ -152,7 +152,7 @@ void AddBowl(vtkRenderer* renderer, const Color& color, const glm::dvec3& center
       const double height = glm::radians(0.5 + 89.5 * v);
       return center +
         radius *
-        (std::sin(height) * (std::cos(Turn * u) * x + std::sin(Turn * u) * y) -
+        (std::sin(height) * (std::cos(FullTurn * u) * x + std::sin(FullTurn * u) * y) -
           std::cos(height) * z);
     });
 }

@@ -86,6 +86,9 @@ struct Track
 /// The frames of all tracks follow each other at this rate, in Hz.
 constexpr int FrameRate = 25;
 
+/// The duration of a frame, in seconds.
+constexpr AVRational FrameTime = { 1, FrameRate };
+
 /// The most frames of a closed group of pictures.
 constexpr int MaximumGroupLength = 16;
 

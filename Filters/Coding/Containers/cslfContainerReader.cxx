@@ -90,7 +90,6 @@ std::int64_t PatchedFile::Seek(void* self, std::int64_t offset, int whence)
 
 namespace
 {
-constexpr AVRational FrameTime = { 1, FrameRate };
 
 /// The most packets read for each track in search of its first one.
 constexpr int FirstPacketSearch = 4 * MaximumGroupLength;

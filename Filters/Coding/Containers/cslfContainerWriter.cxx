@@ -12,8 +12,6 @@ namespace cslf
 {
 namespace
 {
-constexpr AVRational FrameTime = { 1, FrameRate };
-
 bool Fail(const char* what, int code, std::string& error)
 {
   error = std::string(what) + ": " + AVErrorText(code);
