@@ -37,10 +37,9 @@ def get_text(message):
     return re.sub(r"^\w+ \((0x)?[0-9a-fA-F]+\): ", "", text)
 
 
-def raise_error(text):
-    """Raises the exception that fits the reason."""
-    kind = MemoryError if "there is not enough memory" in text else Error
-    raise kind(text)
+def raise_error(text, kind=Error):
+    """Raises the exception that fits the reason: one of that kind, unless memory is missing."""
+    raise (MemoryError if "there is not enough memory" in text else kind)(text)
 
 
 def find_caller():
