@@ -135,9 +135,12 @@ class TestCSLFBake(unittest.TestCase):
     def test_look_connected(self):
         """The pipeline stays connected, and a sampler's own environment is kept."""
         source = make_sphere()
+        runs = []
+        source.AddObserver("StartEvent", lambda *_: runs.append(True))
         sampler = cslf.vtkCSLFSampler()
         sampler.GetEnvironment().SetColor(0.5, 0.0, 0.0)
         field = cslf.bake(source, sampler=sampler, **SIZE)
+        self.assertEqual(runs, [])  # it was up to date
         self.assertEqual({color[1] for color in get_colors(field)}, {0})
         source.SetRadius(1.0)
         sampler.Update()
