@@ -23,8 +23,8 @@
  * vary. All arrays of the same name share one range and one lookup table. Scalars of a single value
  * are switched off, since any colour would be arbitrary: the surface shows its base colour. Kept as
  * they are: unsigned chars of 3 or 4 components, which are colours; the lookup table of an array,
- * unless ColorMap or ColorRange is set; and the colours of data with `CSLF:FinishedColors`, such as
- * the output of vtkCSLFSceneImporter.
+ * unless a colour map or a range is chosen; and the colours of data with `CSLF:FinishedColors`,
+ * such as the output of vtkCSLFSceneImporter.
  *
  * If processes work on pieces of a scene, each knows the range of its piece only: set ColorRange.
  *

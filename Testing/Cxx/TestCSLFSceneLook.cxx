@@ -49,7 +49,8 @@ vtkSmartPointer<vtkPolyData> MakeSphere(double first, double last)
   heat->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    heat->SetValue(i, static_cast<float>(first + (last - first) * i / (count - 1.0)));
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    heat->SetValue(i, static_cast<float>(first + (last - first) * share));
   }
   sphere->GetPointData()->SetScalars(heat);
   return sphere;
