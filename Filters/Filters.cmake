@@ -102,6 +102,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFRadianceCacheOptions
     ../Filters/vtkCSLFSampler
     ../Filters/vtkCSLFSceneImporter
+    ../Filters/vtkCSLFSceneLook
     ../Filters/vtkCSLFSceneSource
     ../Filters/vtkCSLFViewTracer)
   list(APPEND sources
@@ -139,6 +140,7 @@ if (CSLF_ENABLE_SAMPLER)
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
     FaceSides GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars
     MoleculeParts PointParts SurfaceAppearance TextureImage WindowLights)
+  cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes
     Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain
     Turbulence)

@@ -22,7 +22,9 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkExtentTranslator.h>
 #include <vtkInformation.h>
+#include <vtkInformationIntegerRequestKey.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiProcessController.h>
@@ -367,6 +369,8 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
     // Otherwise the output's extent would be requested from the inputs' sources, such as image
     // data.
     info->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    // Another way of splitting would make sources that are up to date execute again.
+    vtkExtentTranslator::UPDATE_SPLIT_MODE()->Remove(info);
   }
   return 1;
 }

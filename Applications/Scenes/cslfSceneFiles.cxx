@@ -452,21 +452,18 @@ bool SceneOptions::HasCornellBox() const
 Scene SceneOptions::Read() const
 {
   Scene scene;
-  std::vector<vtkPolyData*> surfaces;
+  std::vector<Part> files;
   for (std::size_t i = 0; i < this->Inputs.size(); ++i)
   {
-    scene.Parts.push_back(ReadScenePart(this->Inputs[i]));
+    const Part part = ReadScenePart(this->Inputs[i]);
     if (this->Inputs[i] != CornellBoxName)
     {
-      this->SetMaterial(scene.Parts.back());
+      this->SetMaterial(part);
     }
-    if (this->IsFile(i))
-    {
-      tool::ForEachPolyData(
-        scene.Parts.back(), [&surfaces](vtkPolyData* surface) { surfaces.push_back(surface); });
-    }
+    (this->IsFile(i) ? files : scene.Parts).push_back(part);
   }
-  scene.Legend = this->Look.SetColors(surfaces);
+  scene.Parts.push_back(this->Look.Apply(files));
+  scene.Legend = this->Look.GetLegend();
   std::error_code failure;
   if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment &&
     !std::filesystem::is_regular_file(ToPath(this->Light->GetFileName()), failure))
@@ -540,21 +537,15 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
 
 void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
 {
-  bool hasLights = false;
   for (const Part& part : scene.Parts)
   {
     tracer->AddInputDataObject(0, part);
-    hasLights = hasLights || HasLights(part);
-  }
-  if (const auto lights = this->Look.MakeLights())
-  {
-    tracer->AddInputDataObject(0, lights);
   }
   const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
     [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
   if (this->Look.IsLightGiven() || (!this->IsLightChosen && named == this->Inputs.end()))
   {
-    this->Look.SetUpSky(hasLights, this->Light);
+    this->Look.SetUpSky(this->Light);
   }
   else if (!this->IsLightChosen)
   {

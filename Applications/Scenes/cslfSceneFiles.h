@@ -30,7 +30,7 @@ class App;
 
 namespace cslf::tool
 {
-/// A scene in memory, one data object for each input.
+/// A scene in memory: a data object for each scene by name, and one for all files.
 class Scene
 {
 public:

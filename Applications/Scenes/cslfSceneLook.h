@@ -2,26 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a scene from files looks: the array and the colour map that colour it, the light of a scene
- * without lights of its own, and which side is up.
+ * The options of how a scene from files looks: see vtkCSLFSceneLook.
  */
 #ifndef cslfSceneLook_h
 #define cslfSceneLook_h
 
 #include "cslfJSON.h"
+#include "vtkCSLFSceneLook.h"
 
+#include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 class vtkCSLFEnvironment;
-class vtkDataArray;
-class vtkDataObject;
-class vtkPolyData;
 
 namespace CLI
 {
@@ -43,48 +40,35 @@ struct SceneAxes
   }
 };
 
+/// Copies share the filter.
 class SceneLook
 {
 public:
   /// Adds --color-by, --color-map, --range, --light and --up.
   void AddTo(CLI::App& command);
 
-  /// Chooses the scalars of surfaces, the polygonal data of all files, and maps them to colours.
-  /// Returns the legend, a list of "array", "component", "range" and "map". Throws a Failure if an
-  /// array does not exist.
-  nlohmann::json SetColors(const std::vector<vtkPolyData*>& surfaces) const;
+  /// What files look like, with the lights besides the sky. There may be no files. Throws a Failure
+  /// if an array does not exist.
+  vtkSmartPointer<vtkDataObject> Apply(
+    const std::vector<vtkSmartPointer<vtkDataObject>>& files) const;
+
+  /// What the colours of the last scene mean: a list of "array", "component", "range" and "map".
+  nlohmann::json GetLegend() const;
 
   /// Whether the command line chooses the light.
-  bool IsLightGiven() const { return !this->Light.empty(); }
+  bool IsLightGiven() const;
 
-  /// Sets the sky. `hasLights` says whether the files contain lights.
-  void SetUpSky(bool hasLights, vtkCSLFEnvironment* sky) const;
-
-  /// A data object with the lights besides the sky; null if there are none.
-  vtkSmartPointer<vtkDataObject> MakeLights() const;
-
-  /// Whether the command line says which direction is up.
-  bool IsUpGiven() const { return !this->Up.empty(); }
+  /// Sets the sky for the last scene.
+  void SetUpSky(vtkCSLFEnvironment* sky) const;
 
   SceneAxes GetAxes() const;
 
 private:
-  std::optional<int> ChooseArray(const std::vector<vtkPolyData*>& surfaces) const;
-  nlohmann::json MapArrays(const std::string& name, const std::vector<vtkDataArray*>& arrays,
-    std::optional<int> chosen) const;
-
-  std::string ColorBy;
-  std::string ColorMap;
-  std::vector<double> Range;
-  std::string Light;
-  std::string Up;
+  vtkSmartPointer<vtkCSLFSceneLook> Filter = vtkSmartPointer<vtkCSLFSceneLook>::New();
 };
 
 /// A legend in words, one line for each array.
 std::string DescribeLegend(const nlohmann::json& legend);
-
-/// Whether a data object, or one of its blocks, contains lights or an environment.
-bool HasLights(vtkDataObject* data);
 }
 
 #endif

@@ -12,7 +12,7 @@ import tempfile
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 from . import vtkCSLF
-from .arguments import check_kind, find_name, get_file_name, set_parameters
+from .arguments import check_kind, find_name, get_file_name, get_numbers, set_parameters
 from .fields import make_actor
 from .messages import Error, Messages, Progress
 from .notebook import show
@@ -105,6 +105,32 @@ def check_folder(name):
         raise missing_file(folder)
 
 
+def list_names(get_name):
+    """The names that a static function of a class gives to numbers from 0."""
+    names = []
+    while get_name(len(names)) is not None:
+        names.append(get_name(len(names)))
+    return names
+
+
+def make_look(color_by, color_map, color_range, light, up):
+    """The filter that chooses colours and light for data; None is its default."""
+    look = vtkCSLF.vtkCSLFSceneLook()
+    if color_by is not None:
+        check_kind(color_by, str, "color_by", "the name of an array")
+        look.SetColorArrayName(color_by)
+    if color_range is not None:
+        look.SetColorRange(get_numbers(color_range, 2, float, "color_range", "two numbers"))
+        look.AutomaticColorRangeOff()
+    for parameter, value, get_name, set_value in (
+            ("color_map", color_map, look.GetColorMapName, look.SetColorMap),
+            ("light", light, look.GetLightName, look.SetLight),
+            ("up", up, look.GetUpAxisName, look.SetUpAxis)):
+        if value is not None:
+            set_value(find_name(value, list_names(get_name), parameter))
+    return look
+
+
 def write(sampler, name, crf, progress):
     """Writes what a sampler makes to a video."""
     if not hasattr(vtkCSLF, "vtkCSLFEncoder"):
@@ -127,7 +153,8 @@ def write(sampler, name, crf, progress):
 
 
 def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
-         samples=None, noise_target=None, crf=None, sampler=None, progress=None):
+         samples=None, noise_target=None, crf=None, sampler=None, progress=None, color_by=None,
+         color_map=None, color_range=None, light=None, up=None):
     """Bakes a scene as a light field and returns it as a ``LightField``.
 
     ``scene`` is a ``vtkRenderer``, a ``vtkRenderWindow``, a plotter of PyVista, a data set of VTK,
@@ -145,6 +172,18 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     is better and larger. What is None keeps the default of ``vtkCSLFSampler`` or
     ``vtkCSLFEncoder``. ``sampler`` is a ``vtkCSLFSampler`` with further settings.
 
+    Data, algorithms and files get colours and light from a ``vtkCSLFSceneLook``; windows and scenes
+    by name have their own. ``color_by`` is the array that colours the surfaces, such as
+    ``"pressure"`` or ``"velocity:x"`` (also ``0``, a component's name or ``magnitude``), or
+    ``"none"``; by default, the active scalars if they vary. ``color_map`` is ``"cool-to-warm"``,
+    ``"viridis"``, ``"plasma"``, ``"inferno"``, ``"gray"`` or ``"rainbow"``; by default, the array's
+    own lookup table, or else ``"cool-to-warm"``. ``color_range`` is the pair of values at the map's
+    ends; by default, the range of the array. ``light`` is ``"studio"``, ``"sun"``, ``"sky"``,
+    ``"white"`` or ``"none"``; by default ``"studio"``, and a dim sky for data with lights of its
+    own. ``up`` is the axis that points up, which the light follows: ``"x"``, ``"y"`` (default),
+    ``"z"``, ``"-x"``, ``"-y"`` or ``"-z"``. The environment of a ``sampler`` is kept unless
+    ``light`` or ``up`` is given.
+
     ``progress`` is whether to draw a progress bar, by default in terminals and notebooks, or a
     function that gets the phase and the share that is done, from 0 to 1. Ctrl-C raises
     ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
@@ -156,6 +195,10 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     """
     if not hasattr(vtkCSLF, "vtkCSLFSampler"):
         raise Error("This build of CSLF has no sampler.")
+    look_parameters = {"color_by": color_by, "color_map": color_map, "color_range": color_range,
+                       "light": light, "up": up}
+    look = make_look(**look_parameters)
+    sets_light = sampler is None or light is not None or up is not None
     sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
     check_kind(sampler, vtkCSLF.vtkCSLFSampler, "sampler", "a vtkCSLFSampler")
     if not callable(progress):
@@ -167,7 +210,13 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
                              "NoiseTarget": noise_target})
     if file_name is None and crf is not None:
         raise ValueError("crf is for videos, and there is no file name.")
-    connect(scene, sampler)
+    given = [name for name, value in look_parameters.items() if value is not None]
+    if connect(scene, sampler, look):
+        if sets_light:
+            look.SetUpEnvironment(sampler.GetEnvironment())
+    elif given:
+        raise ValueError(f"{given[0]} is for data, algorithms and files: windows and scenes by name "
+                         "have their own colours and light.")
     if file_name is not None:
         name = get_file_name(file_name)
         write(sampler, name, crf, progress)

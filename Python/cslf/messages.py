@@ -39,7 +39,7 @@ def get_text(message):
 
 
 def raise_error(text, kind=Error):
-    """Raises the exception that fits the reason."""
+    """Raises the exception that fits the reason: one of that kind, unless memory is missing."""
     raise (MemoryError if "there is not enough memory" in text else kind)(text)
 
 

@@ -8,9 +8,8 @@ import pathlib
 from xml.etree import ElementTree
 
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet,
-                                           vtkMultiBlockDataSet, vtkPolyData)
+                                           vtkMultiBlockDataSet)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
@@ -105,38 +104,19 @@ def read(name):
     return data
 
 
-def get_leaves(data):
-    """The data sets of a data object."""
-    if not isinstance(data, vtkCompositeDataSet):
-        return [data]
-    iterator = data.NewIterator()
-    leaves = []
-    while not iterator.IsDoneWithTraversal():
-        leaves.append(iterator.GetCurrentDataObject())
-        iterator.GoToNextItem()
-    return leaves
-
-
-def to_surface(data):
-    """Data that the sampler reads: the surfaces of data sets that are not polygonal."""
+def check_data(data):
+    """Raises TypeError for data that no surface is made of."""
     if not isinstance(data, (vtkDataSet, vtkCompositeDataSet)):
         raise TypeError(f"A {data.GetClassName()} is not a scene.")
-    if data.GetFieldData().GetAbstractArray("CSLF"):
-        raise ValueError("The data is a light field, not a scene.")
-    if all(isinstance(leaf, vtkPolyData) for leaf in get_leaves(data)):
-        return data
-    surface = vtkDataSetSurfaceFilter()
-    surface.SetInputDataObject(data)
-    surface.Update()
-    return surface.GetOutputDataObject(0)
 
 
-def connect(scene, sampler):
-    """Makes a scene the input of a sampler."""
+def connect(scene, sampler, look):
+    """Makes a scene the input of a sampler, through a ``vtkCSLFSceneLook`` if its colours and light
+    are not its own. Returns whether that is so."""
     renderer = find_renderer(scene)
     if renderer is not None:
         sampler.SetRenderer(renderer)
-        return
+        return False
     if isinstance(scene, (str, os.PathLike)):
         name = os.fspath(scene)
         if vtkCSLF.vtkCSLFSceneSource.HasScene(name):
@@ -144,7 +124,7 @@ def connect(scene, sampler):
             source.SetSceneName(name)
             source.SetUpEnvironment(sampler.GetEnvironment())
             sampler.SetInputConnection(source.GetOutputPort())
-            return
+            return False
         scene = read(name)
     if isinstance(scene, vtkAlgorithm):
         scene = scene.GetOutputPort()
@@ -153,14 +133,17 @@ def connect(scene, sampler):
         with Messages(producer) as messages:
             producer.Update(scene.GetIndex())
             messages.require(True, "")
-        data = producer.GetOutputDataObject(scene.GetIndex())
-        surface = to_surface(data)
-        if surface is data:
-            sampler.SetInputConnection(scene)
-        else:
-            sampler.SetInputDataObject(surface)
-        return
-    if not isinstance(scene, vtkDataObject):
+        check_data(producer.GetOutputDataObject(scene.GetIndex()))
+        look.SetInputConnection(scene)
+    elif isinstance(scene, vtkDataObject):
+        check_data(scene)
+        look.SetInputDataObject(scene)
+    else:
         raise TypeError("A scene is a renderer, a window, a plotter, data, an algorithm or the "
                         f"name of a file, not a {type(scene).__name__}.")
-    sampler.SetInputDataObject(to_surface(scene))
+    with Messages(look) as messages:
+        look.Update()
+    if messages.errors:
+        raise_error(messages.errors[0], ValueError)
+    sampler.SetInputConnection(look.GetOutputPort())
+    return True

@@ -9,7 +9,8 @@ import tempfile
 import unittest
 
 import cslf
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
@@ -35,6 +36,30 @@ def make_renderer():
     renderer = vtkRenderer()
     renderer.AddActor(actor)
     return renderer
+
+
+def make_heat(values, table=None):
+    """A sphere with active scalars that a function of the height makes, and a table for them."""
+    sphere = vtkPolyData()
+    sphere.ShallowCopy(make_sphere().GetOutput())
+    heat = vtkFloatArray()
+    heat.SetName("heat")
+    for i in range(sphere.GetNumberOfPoints()):
+        heat.InsertNextValue(values(sphere.GetPoint(i)[1]))
+    heat.SetLookupTable(table)
+    sphere.GetPointData().SetScalars(heat)
+    return sphere
+
+
+def get_colors(field):
+    """The colours of the texels that a surface covers."""
+    colors = field.image.GetPointData().GetArray("Color")
+    tuples = (colors.GetTuple4(i) for i in range(colors.GetNumberOfTuples()))
+    return [color[:3] for color in tuples if color[3] == 255]
+
+
+def get_mean(colors):
+    return [sum(channel) / len(colors) for channel in zip(*colors)]
 
 
 class TestCSLFBake(unittest.TestCase):
@@ -71,6 +96,63 @@ class TestCSLFBake(unittest.TestCase):
         for colors, expected in (("lit", 0), ("exact", 1)):
             field = cslf.bake(make_sphere(), colors=colors, **SIZE)
             self.assertEqual(field.sampler.GetColors(), expected)
+
+    def test_look(self):
+        """Data without a look gets that of the tool."""
+        field = cslf.bake(make_heat(lambda _: 7.0), **SIZE)  # colours nothing
+        colors = get_colors(field)
+        self.assertEqual({color for color in colors if max(color) - min(color) > 2}, set())
+        brightness = [color[1] for color in colors]
+        self.assertGreater(max(brightness) - min(brightness), 60)  # light from one side
+        plain = make_heat(lambda _: 7.0)
+        plain.GetPointData().SetActiveScalars(None)
+        self.assertEqual(get_colors(cslf.bake(plain, **SIZE)), colors)
+        white = get_colors(cslf.bake(plain, light="white", **SIZE))
+        brightness = [color[1] for color in white]
+        self.assertLess(max(brightness) - min(brightness), 10)
+        environment = cslf.bake(plain, light="sun", up="z", **SIZE).sampler.GetEnvironment()
+        self.assertEqual(environment.GetUp(), (0.0, 0.0, 1.0))
+
+    def test_look_colors(self):
+        exact = {"colors": "exact", **SIZE}
+        data = make_heat(lambda height: height)
+        red, _, blue = zip(*get_colors(cslf.bake(data, **exact)))
+        self.assertGreater(min(max(red), max(blue)), 170)  # the ends of cool-to-warm
+        self.assertIsNone(data.GetPointData().GetScalars().GetLookupTable())
+        for arguments, expected in (
+                ({"color_range": (-4.0, 4.0)}, (128, 128, 128)),
+                ({"color_range": (-9.0, -8.0)}, (255, 255, 255)),
+                ({"color_by": "Normals:magnitude", "color_range": [1, 2]}, (0, 0, 0))):
+            with self.subTest(arguments=arguments):
+                field = cslf.bake(data, color_map="gray", **arguments, **exact)
+                for channel, value in zip(get_mean(get_colors(field)), expected):
+                    self.assertAlmostEqual(channel, value, delta=8)
+        gray = get_mean(get_colors(cslf.bake(data, color_by="none", **exact)))
+        self.assertAlmostEqual(gray[0], gray[2], delta=1)
+        table = vtkLookupTable()
+        table.SetHueRange(0.3333, 0.3333)
+        self.assertLess(max(color[0] for color in get_colors(
+            cslf.bake(make_heat(lambda height: height, table), **exact))), 5)
+
+    def test_look_connected(self):
+        """The pipeline stays connected, and a sampler's own environment is kept."""
+        source = make_sphere()
+        runs = []
+        source.AddObserver("StartEvent", lambda *_: runs.append(True))
+        sampler = cslf.vtkCSLFSampler()
+        sampler.GetEnvironment().SetColor(0.5, 0.0, 0.0)
+        field = cslf.bake(source, sampler=sampler, **SIZE)
+        self.assertEqual(runs, [])  # it was up to date
+        self.assertEqual({color[1] for color in get_colors(field)}, {0})
+        source.SetRadius(1.0)
+        sampler.Update()
+        self.assertAlmostEqual(field.actor.GetBounds()[1], 1.1, places=2)
+        cslf.bake(source, sampler=sampler, light="sky", **SIZE)
+        self.assertEqual(sampler.GetEnvironment().GetColor(), (1.0, 1.0, 1.0))
+        lit = make_sphere().GetOutput()
+        cslf.vtkCSLFLight.AddDirectionalLight(lit, (0.0, -1.0, 0.0), (1.0, 1.0, 1.0))
+        environment = cslf.bake(lit, **SIZE).sampler.GetEnvironment()
+        self.assertEqual(environment.GetColor(), (0.5, 0.5, 0.5))
 
     def test_grids(self):
         """Their surfaces are baked."""
@@ -188,6 +270,18 @@ class TestCSLFBake(unittest.TestCase):
             (TypeError, "True, False or a function", lambda: cslf.bake(sphere, progress="bar")),
             (TypeError, "file_name must be the name", lambda: cslf.bake(sphere, 3, **SIZE)),
             (ValueError, "field.mp4 is a light field", lambda: cslf.bake(FIELD)),
+            (ValueError, "no array heat.*of points: Normals .3 components",
+             lambda: cslf.bake(sphere, color_by="heat")),
+            (ValueError, "has no component w", lambda: cslf.bake(sphere, color_by="Normals:w")),
+            (ValueError, "color_map must be one of automatic, cool-to-warm",
+             lambda: cslf.bake(sphere, color_map="jet")),
+            (ValueError, "light must be one of", lambda: cslf.bake(sphere, light="disco")),
+            (ValueError, "up must be one of x, y, z, -x", lambda: cslf.bake(sphere, up="w")),
+            (TypeError, "must be two numbers", lambda: cslf.bake(sphere, color_range=3)),
+            (TypeError, "the name of an array", lambda: cslf.bake(sphere, color_by=3)),
+            (ValueError, "must be smaller", lambda: cslf.bake(sphere, color_range=(2, 1))),
+            (ValueError, "light is for data", lambda: cslf.bake(make_renderer(), light="sun")),
+            (ValueError, "up is for data", lambda: cslf.bake("cornell-box", up="z")),
             (ValueError, "crf is for videos", lambda: cslf.bake(sphere, crf=20.0)),
             (ValueError, "0 renderers", lambda: cslf.bake(vtkRenderWindow())),
             (ValueError, "is a light field", lambda: cslf.bake(cslf.bake(sphere, **SIZE).image)),
