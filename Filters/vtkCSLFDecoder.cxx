@@ -522,7 +522,7 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
   {
     return -1;
   }
-  this->SetAbortExecute(0);
+  cslf::ResetAbort(this);
   this->UpdateProgress(0.0);
   const bool isChecked = this->Guard(
     [this]

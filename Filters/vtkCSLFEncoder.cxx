@@ -298,7 +298,7 @@ int vtkCSLFEncoder::Write()
 {
   const std::string name = this->FileName ? this->FileName : "The file";
   this->SetErrorCode(vtkErrorCode::UnknownError);
-  this->SetAbortExecute(0);
+  cslf::ResetAbort(this);
   return cslf::GuardMethod(this, name + " was not written", [this] { return this->WriteInput(); });
 }
 

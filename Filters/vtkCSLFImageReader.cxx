@@ -219,7 +219,7 @@ bool vtkCSLFImageReader::Fail(unsigned long code, const std::string& text)
 
 vtkIdType vtkCSLFImageReader::FindMissingViewpoints()
 {
-  this->SetAbortExecute(0);
+  cslf::ResetAbort(this);
   this->UpdateProgress(0.0);
   const bool isChecked = this->ReadDescription() &&
     this->Guard(

@@ -86,7 +86,7 @@ vtkCSLFImageWriter::~vtkCSLFImageWriter()
 int vtkCSLFImageWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->SetAbortExecute(0);
+  cslf::ResetAbort(this);
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("A file name must be set.");

@@ -118,8 +118,8 @@ public:
 };
 
 /// The same for ProcessRequest, which makes a filter's outputs: they are empty then, and the
-/// request is not printed, since filters report why they fail. If the filter was aborted, they are
-/// empty too, as newer versions of VTK have it, and the next request makes them; if the
+/// request is not printed, since filters report why they fail. If the filter was aborted, all are
+/// empty, as newer versions of VTK have it, and the next request makes them; if the
 /// interpreter's user ended it, the request also fails. After a failure it also drops the extents
 /// that VTK combines the next request with, which VTK does only after success: they could be beyond
 /// what the output is after a change.
@@ -148,13 +148,15 @@ vtkTypeBool GuardRequest(
   {
     vtkInformation* output = outputs->GetInformationObject(port);
     vtkDataObject* data = vtkDataObject::GetData(output);
-    if (makesData && !isDone && data && !output->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
+    if (isAborted && data)
+    {
+      data->ReleaseData();
+      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+    else if (makesData && !isDone && data &&
+      !output->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
     {
       data->Initialize();
-    }
-    if (isAborted)
-    {
-      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
     if ((makesData && !result) || request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
     {

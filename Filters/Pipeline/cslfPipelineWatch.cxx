@@ -73,7 +73,7 @@ PipelineWatch::~PipelineWatch()
   // Newer versions of VTK do not reset it before the next update.
   for (vtkAlgorithm* algorithm : this->Stopped)
   {
-    algorithm->SetAbortExecute(0);
+    ResetAbort(algorithm);
   }
 }
 

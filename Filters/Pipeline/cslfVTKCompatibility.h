@@ -80,6 +80,15 @@ inline void Abort(vtkAlgorithm* algorithm)
 #endif
 }
 
+/// Forgets that a filter was asked to stop, before work that VTK does not begin.
+inline void ResetAbort(vtkAlgorithm* algorithm)
+{
+  algorithm->SetAbortExecute(0);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  algorithm->SetAbortOutput(false);
+#endif
+}
+
 /// Whether the window shows visible vertices only on surfaces with visible edges. Newer versions
 /// show them in any case.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)

@@ -226,6 +226,8 @@ class Progress:
     def __exit__(self, _kind, _error, _trace):
         if self._tag is not None:
             self._algorithm.RemoveObserver(self._tag)
+        if self._error is not None:
+            self._algorithm.SetAbortExecute(0)  # VTK since 9.3 does not reset it
         if self._line is not None:
             self._line.close()
         if self._error is not None:

@@ -34,7 +34,7 @@ LAYERS = {
     "Filters/CubeMaps": ["Module", "Filters/Files", "Filters/Pipeline"],
     "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/PathTracing"],
     "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneImport"],
-    "Filters/SceneLook": ["Filters/Options"],
+    "Filters/SceneLook": ["Module"],
     "Filters/Scenes": [],
     "Filters/Planning": ["Module", "Filters/Files", "Filters/Coding", "Filters/CubeMaps"],
     "Rendering": ["Module", "Filters/Options", "Filters/Pipeline", "Filters/Lookup"],
