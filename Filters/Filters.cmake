@@ -20,15 +20,15 @@ endif ()
 
 # Values side by side, and random numbers.
 cslf_add(Filters/SIMD Lanes Vectorize)
-cslf_add(Filters/RandomNumbers Distribution SampleStream Sampling StreamLanes)
+cslf_add(Filters/RandomNumbers Distribution SampleStream Sampling)
 
 # Cooperation of several processes.
-cslf_add(Filters/Parallel Broadcast Ranks)
+cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard Interpreter MissingViewpoints ParallelFor Phase
-  PipelineWatch PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ValidPolyData
+  ArrayLayout FieldArrays GeometryArrays Guard Interpreter ParallelFor Phase
+  PipelineWatch PolygonFill Requests ScenePipeline Slabs TriangleList ValidPolyData
   ViewpointSource VTKCompatibility)
 
 # Reduction of fields.
@@ -56,19 +56,19 @@ configure_file("${constants}" Lookup/cslfLookupConstants.h @ONLY)
 include("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptions.cmake")
 configure_file("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptionTable.h.in" Options/cslfOptionTable.h
   @ONLY)
-cslf_add(Filters/Options Option QualityPresets)
+cslf_add(Filters/Options Option)
 list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable.h")
 
 # Measures of quality.
-cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExposures)
+cslf_add(Filters/Quality DisplayCurve PSNR TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
-cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits Track)
+cslf_add(Filters/Coding/Codecs AV Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
-  Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes)
+  Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PerceptualQuantizer PushPull
+  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PushPull
   RadianceFrames TexelBytes TexelRows)
 cslf_add(Filters/Coding/Groups CodingTask TrackDecoder)
 cslf_add(Filters/Coding/Reading
@@ -79,11 +79,10 @@ if (CSLF_ENABLE_ENCODER)
   list(APPEND classes ../Filters/vtkCSLFEncoder)
   cslf_add(Filters/Coding/Codecs VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
-  cslf_add(Filters/Coding/Groups EncoderContext GroupCodec)
+  cslf_add(Filters/Coding/Groups GroupCodec)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
-    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCache
-    GroupCoder HeldOutViews Part PartStore SlicePuller)
+    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan     GroupCoder HeldOutViews Part PartStore SlicePuller)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.
@@ -111,38 +110,38 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/Parallel SceneGather)
   cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
   cslf_add(Filters/PathTracing/Lights
-    DirectionalLight Environment LightBounds LightSample LightTree LocalLights PointLight)
+    Environment LightBounds LightSample LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DisplayedColor Frame Fresnel GGX ImageCurve Lambert Lobe MaterialParameters
+    BSDF DisplayedColor Frame GGX ImageCurve Lobe MaterialParameters
     MaterialProblems SurfaceMaterial Texture)
   cslf_add(Filters/PathTracing/Paths
-    DirectLight PathBatch PathIntegrator PathPacket PathStep ScatterLanes SurfaceLanes)
+    DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
-    GatherDirections HalfSamples IncidentLight LatticeBuilder LatticeLayout LatticePatch
+    GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticePatch
     LatticeProbe LatticeRefinement LatticeRequests LatticeSum LayoutProgress MeshEdges OpenSides
-    PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
-    SurfaceEstimate SurfaceLattice VertexClusters)
-  cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayBin RayGrid RayPacket)
+    RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
+    SurfaceEstimate SurfaceLattice)
+  cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    EnvironmentReader Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes
+    Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes
     Scene SceneBlock SceneBuilder SurfaceColors TextureReader)
   cslf_add(Filters/PathTracing/Shapes
-    Box Mesh RoundView TriangleGeometry Triangles Tube TubeDivision)
+    Box Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum FieldRays SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
-  cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives GLTFProblems GLTFValue)
+  cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
-    FaceSides GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars
+    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars
     MoleculeParts PointParts SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes
-    Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain
+    Assembly Molecule Pipes ProceduralScene Streamlines Terrain
     Turbulence)
 endif ()
 

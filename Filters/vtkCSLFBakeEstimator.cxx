@@ -4,7 +4,6 @@
 
 #include "Files/cslfJSONFile.h"
 #include "Options/cslfOption.h"
-#include "Options/cslfQualityPresets.h"
 #include "Pipeline/cslfGuard.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"

@@ -4,8 +4,8 @@
 
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Coding/Writing/cslfEncodeSession.h"
+#include "Options/cslfOption.h"
 #include "Options/cslfOptionTable.h"
-#include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"

@@ -6,8 +6,8 @@
 
 #include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfPSNR.h"
-#include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 
 #include <vtkCommand.h>

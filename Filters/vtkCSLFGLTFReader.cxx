@@ -6,11 +6,9 @@
 
 #include "GLTF/cslfGLTFDocument.h"
 #include "GLTF/cslfGLTFPrimitives.h"
-#include "GLTF/cslfGLTFProblems.h"
 #include "Options/cslfOptionTable.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "cslfJoin.h"
-#include "cslfPrintable.h"
 #include "vtkCSLFMaterial.h"
 
 #include <glm/ext/quaternion_double.hpp>

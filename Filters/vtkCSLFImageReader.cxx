@@ -7,12 +7,11 @@
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
-#include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
-#include "cslfPrintable.h"
+#include "cslfJoin.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>

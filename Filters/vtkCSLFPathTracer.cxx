@@ -4,8 +4,8 @@
 
 #include "Pipeline/cslfGuard.h"
 
+#include "Options/cslfOption.h"
 #include "Options/cslfOptionTable.h"
-#include "Options/cslfQualityPresets.h"
 #include "Parallel/cslfSceneGather.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"

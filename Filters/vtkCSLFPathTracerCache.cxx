@@ -5,8 +5,8 @@
 #include "vtkCSLFPathTracer.h"
 
 #include "Files/cslfLibraries.h"
+#include "Options/cslfOption.h"
 #include "Options/cslfOptionTable.h"
-#include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfJSON.h"

@@ -5,7 +5,6 @@
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
-#include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"

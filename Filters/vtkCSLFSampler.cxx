@@ -13,7 +13,7 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPortsOnDemand.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"

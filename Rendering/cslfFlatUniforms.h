@@ -13,8 +13,17 @@
 
 #include <string>
 
+class vtkMatrix4x4;
+class vtkShaderProgram;
+
 namespace cslf
 {
+/// Sets an identity to the matrix from the space of an entry face to that of the cube.
+void GetFaceToCube(int entryFace, vtkMatrix4x4* fccc);
+
+/// Sets all that go with an entry face.
+void SetFaceUniforms(vtkShaderProgram* program, int entryFace);
+
 /// Whether the driver of the current context reads uniforms lane by lane: llvmpipe, Mesa's software
 /// OpenGL, by the renderer's name.
 bool ReadsUniformsByLane();

@@ -4,8 +4,8 @@
 
 #include "Lookup/cslfFaceSpace.h"
 #include "Lookup/cslfLookupConstants.h"
-#include "cslfFaceUniforms.h"
 #include "cslfFieldTexture.h"
+#include "cslfFlatUniforms.h"
 #include "cslfOpenGL.h"
 #include "vtkCSLFMapper.h"
 

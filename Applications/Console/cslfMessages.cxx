@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMessages.h"
 
-#include "cslfPrintable.h"
+#include "cslfJoin.h"
 #include "cslfTable.h"
 #include "cslfTerminal.h"
 

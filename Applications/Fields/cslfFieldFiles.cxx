@@ -10,7 +10,7 @@
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
 #include "Options/cslfTableOptions.h"
-#include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Scenes/cslfSceneChecks.h"
 #include "cslfGeometryFiles.h"
 #include "cslfImageDataFiles.h"

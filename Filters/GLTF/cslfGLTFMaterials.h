@@ -8,7 +8,6 @@
 #define cslfGLTFMaterials_h
 
 #include "cslfGLTFDocument.h"
-#include "cslfGLTFProblems.h"
 
 #include <vtkImageData.h>
 #include <vtkPolyData.h>

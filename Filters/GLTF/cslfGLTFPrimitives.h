@@ -9,7 +9,6 @@
 
 #include "cslfGLTFDocument.h"
 #include "cslfGLTFMaterials.h"
-#include "cslfGLTFProblems.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfBroadcast.h"
+#include "cslfRanks.h"
 
 #include <vtkCharArray.h>
 #include <vtkNew.h>

@@ -9,6 +9,7 @@
 
 #include "cslfDescription.h"
 #include "cslfViewpointSamples.h"
+#include "vtkCSLFModule.h" // for export macro
 
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
@@ -19,8 +20,18 @@
 
 class vtkImageData;
 
+class vtkIdTypeArray;
+
 namespace cslf
 {
+/// The name of the array of the missing viewpoints' slices. There is none if nothing is missing.
+constexpr const char* MissingViewpointsName = "MissingViewpoints";
+
+void SetMissing(vtkIdTypeArray* slices, vtkImageData* image);
+
+/// In ascending order, of `count` slices. Ignores other numbers.
+VTKCSLF_EXPORT std::vector<int> GetMissing(vtkImageData* image, int count);
+
 /// An array of a channel. Throws std::bad_alloc if there is not enough memory. VTK would also
 /// report an error of the internal array.
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples);

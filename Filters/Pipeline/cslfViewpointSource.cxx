@@ -3,7 +3,7 @@
 #include "cslfViewpointSource.h"
 
 #include "Pipeline/cslfArrayLayout.h"
-#include "Pipeline/cslfMissingViewpoints.h"
+#include "cslfFieldArrays.h"
 
 #include <vtkImageData.h>
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace cslf
 {
@@ -75,6 +76,16 @@ private:
   float Brightest; // the largest exposure
   float White;     // what is white at the smallest exposure, times the largest exposure
 };
+
+/// Factors of the exposure that a field was sampled with. A viewer may show floats at any exposure
+/// of the range in which the sampler controls noise: its ends, and three in between. Bytes are
+/// shown as they are.
+inline std::vector<double> GetViewExposures(bool isFloat)
+{
+  return isFloat ? std::vector<double>{ 1.0 / DisplayCurve::FloatRange, 0.25, 1.0, 4.0,
+    DisplayCurve::FloatRange }
+                 : std::vector<double>{ 1.0 };
+}
 }
 
 #endif

@@ -10,10 +10,21 @@
 #include "RandomNumbers/cslfSampleStream.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace cslf
 {
+/// The sequence of M. Roberts with the plastic number: for each index two independent numbers in
+/// [0,1) (`axis` 0 or 1). The numbers of any range of indices, or of every n-th index, are evenly
+/// spread, also as points of the unit square.
+inline double RobertsNumber(int index, int axis)
+{
+  constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
+  const double product = index * steps[axis];
+  return product - std::floor(product);
+}
+
 /// A choice of `count` of the texels 0 to `total` - 1: one at random from each of `count` ranges of
 /// equal length, up to one texel. So the texels ascend without duplicates, and can be visited in
 /// order without a list.

@@ -12,6 +12,8 @@
 
 #include <cstdint>
 
+#include "SIMD/cslfLanes.h"
+
 namespace cslf
 {
 /// The numbers for a path's vertex. Each vertex has its own set.
@@ -140,6 +142,18 @@ private:
   std::uint64_t TexelHash;
   std::uint32_t Index;
   std::uint32_t Vertex = 0; // the first of its dimensions
+};
+
+struct StreamLanes
+{
+  Lanes<std::uint64_t> Hash;  ///< of the path's texel
+  Lanes<std::uint32_t> Index; ///< of the texel's samples
+
+  /// The numbers of each path's vertex, like SampleStream::Get2D. Vertices are numbered from 0.
+  void Get2D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x, Lanes<float>& y) const;
+
+  /// Only the first number, like SampleStream::Get1D.
+  void Get1D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x) const;
 };
 }
 

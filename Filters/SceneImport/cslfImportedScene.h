@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The results of an import so far.
+ * The list of differences between a light field and VTK's window. The warnings of
+ * vtkCSLFSceneImporter and the table in Documentation/WindowAndBake.md are made from it.
  */
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
 #include "PathTracing/Materials/cslfMaterialProblems.h"
 #include "PathTracing/Scene/cslfOldNames.h"
-#include "cslfImportLimits.h"
 #include "cslfJoin.h"
+#include "vtkCSLFModule.h" // for export macro
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -20,14 +28,71 @@
 #include <vtkTexture.h>
 #include <vtkType.h>
 
-#include <array>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace cslf
 {
+/// The differences, in the order of the table. A new one needs its row in cslfImportedScene.cxx,
+/// which does not compile without it.
+enum class ImportLimit
+{
+  // Props.
+  OtherProps,
+  OtherMappers,
+  NoGeometry,
+  SourceTableTrees,
+  GraphIcons,
+  Splats,
+  Followers,
+  // Surfaces.
+  Shaders,
+  ProjectiveMatrices,
+  ForcedOpaque,
+  BackfaceProperties,
+  CulledEdges,
+  ClippedLines,
+  Coats,
+  Anisotropy,
+  PartMetals,
+  OpposedNormals,
+  Layers,
+  PropertyTextures,
+  TexturedTables,
+  Widths,
+  StickEnds,
+  Diagonals,
+  Coplanar,
+  // Lights.
+  CubeMapEnvironments,
+  EnvironmentImages,
+  ClassicEnvironments,
+  RenderPasses,
+  Shadows,
+  Shading,
+  Highlights,
+  UnlitLines,
+  Headlights,
+  Count
+};
+
+/// A row of the table.
+struct ImportLimitText
+{
+  ImportLimit Limit;
+  const char* Name;   ///< as named in the warning
+  const char* Window; ///< the appearance in VTK's window
+  const char* Bake;   ///< the appearance in the light field
+  bool Warned; ///< whether importing such a scene gives a warning; otherwise the difference always
+               ///< exists
+};
+
+/// The row of a limit.
+VTKCSLF_EXPORT const ImportLimitText& GetText(ImportLimit limit);
+
+/// The limits that an import has met, with details such as the classes of props.
+using MetLimits = std::map<ImportLimit, std::set<std::string>>;
+
+/// The limits as the text of a warning.
+std::string ToText(const MetLimits& limits);
+
 /// The window's parameters for a block, which FinishAppearances converts to a material.
 struct BlockAppearance
 {

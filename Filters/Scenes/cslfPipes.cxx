@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfProceduralScene.h"
-#include "cslfSceneActors.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>

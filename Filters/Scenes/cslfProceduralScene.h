@@ -10,10 +10,34 @@
 
 #include <vector>
 
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+
 class vtkRenderer;
+
+class vtkActor;
+class vtkMapper;
+class vtkPolyData;
 
 namespace cslf
 {
+/// Adds an actor with this mapper, which the renderer keeps.
+vtkActor* AddActor(vtkRenderer* renderer, vtkMapper* mapper);
+
+/// Adds a surface in one colour.
+vtkActor* AddSurface(vtkRenderer* renderer, vtkPolyData* data);
+
+/// Adds a surface in the colours of its scalars, interpolated before they are mapped.
+vtkActor* AddSurface(vtkRenderer* renderer, vtkPolyData* data, vtkScalarsToColors* colors);
+
+///@{
+/// Colours of a range of values: blue, white and red; dark violet, green and yellow; and those of
+/// land, from valleys to snow.
+vtkSmartPointer<vtkScalarsToColors> MakeCoolToWarm(double lowest, double highest);
+vtkSmartPointer<vtkScalarsToColors> MakeViridis(double lowest, double highest);
+vtkSmartPointer<vtkScalarsToColors> MakeLandColors(double lowest, double highest);
+///@}
+
 /// The light of a scene.
 enum class SceneLight
 {

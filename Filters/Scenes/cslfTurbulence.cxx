@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfProceduralScene.h"
-#include "cslfSceneActors.h"
 
+#include <vtkContourFilter.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -10,10 +10,27 @@
 #include <vtkPerlinNoise.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkRTAnalyticSource.h>
 #include <vtkSMPTools.h>
 
 namespace cslf
 {
+void AddIsosurfaces(vtkRenderer* renderer)
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(-30, 30, -30, 30, -30, 30);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(wavelet->GetOutputPort());
+  contour->SetNumberOfContours(3);
+  contour->SetValue(0, 110.0);
+  contour->SetValue(1, 150.0);
+  contour->SetValue(2, 190.0);
+  contour->ComputeNormalsOn();
+  contour->ComputeScalarsOn();
+  contour->Update();
+  AddSurface(renderer, contour->GetOutput(), MakeCoolToWarm(110.0, 190.0));
+}
+
 namespace
 {
 constexpr int EdgePoints = 168; // points along each edge

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGatherField.h"
 
-#include "Parallel/cslfBroadcast.h"
+#include "Parallel/cslfRanks.h"
 #include "Pipeline/cslfGuard.h"
 
 #include <vtkDataArray.h>

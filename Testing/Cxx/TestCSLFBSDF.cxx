@@ -4,7 +4,7 @@
 // Compares each BSDF's samples with its density, and checks that none reflects more light than it
 // gets.
 #include "PathTracing/Materials/cslfBSDF.h"
-#include "PathTracing/Materials/cslfFresnel.h"
+#include "PathTracing/Materials/cslfGGX.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfTesting.h"

@@ -7,7 +7,7 @@
 
 #include "Coding/Frames/cslfColorRows.h"
 #include "Coding/Frames/cslfDepthCurve.h"
-#include "Coding/Frames/cslfPerceptualQuantizer.h"
+#include "Coding/Frames/cslfRadianceFrames.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "cslfTesting.h"
 
 #include "Coding/Frames/cslfColorFrames.h"
-#include "Coding/Groups/cslfEncoderContext.h"
+#include "Coding/Groups/cslfGroupCodec.h"
 
 #include <iostream>
 #include <string>

@@ -3,7 +3,7 @@
 
 // While a file is written, the folder of its parts has a preview: a file with the viewpoints so
 // far, which the decoder reads and the mapper draws without complaint.
-#include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "cslfCodecTesting.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"

@@ -3,7 +3,7 @@
 
 // Emissive surfaces sampled as lights: compares samples with their density, light with closed
 // forms, and light sampling with rays that hit the lights by chance.
-#include "PathTracing/Shapes/cslfTubeDivision.h"
+#include "PathTracing/Shapes/cslfTube.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"

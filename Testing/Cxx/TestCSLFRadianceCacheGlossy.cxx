@@ -3,7 +3,6 @@
 
 // Reflections of rough surfaces are looked up if the cache is accurate enough, and traced
 // otherwise. The insides of closed bodies are left out of the cache, and still look right.
-#include "PathTracing/Materials/cslfFresnel.h"
 #include "PathTracing/Materials/cslfGGX.h"
 #include "PathTracing/RadianceCache/cslfIncidentLight.h"
 #include "PathTracing/RadianceCache/cslfOpenSides.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Opacity and glass, compared with closed forms.
-#include "PathTracing/Materials/cslfFresnel.h"
+#include "PathTracing/Materials/cslfGGX.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"

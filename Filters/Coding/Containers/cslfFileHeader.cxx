@@ -3,10 +3,10 @@
 #include "cslfFileHeader.h"
 
 #include "Coding/Frames/cslfFrameOrder.h"
-#include "Coding/Frames/cslfPerceptualQuantizer.h"
-#include "cslfHeaderVersion1.h"
+#include "Coding/Frames/cslfRadianceFrames.h"
+#include "cslfHeaderText.h"
 #include "cslfJSONText.h"
-#include "cslfPrintable.h"
+#include "cslfJoin.h"
 
 #include <vtkType.h>
 

@@ -6,7 +6,7 @@
 #include "cslfDescription.h"
 #include "cslfHeaderText.h"
 #include "cslfJSONText.h"
-#include "cslfPrintable.h"
+#include "cslfJoin.h"
 
 #include <algorithm>
 #include <stdexcept>

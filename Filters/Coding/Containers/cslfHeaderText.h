@@ -10,11 +10,20 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cslfJSONForward.h"
+
 namespace cslf
 {
+/// Converts the header to version 2. `isOurs` tells whether the text was meant to be a header. On
+/// bad input returns nothing and gives the reason in one line. May throw what JSON's functions
+/// throw.
+std::optional<nlohmann::json> ReadVersion1(
+  const std::string& text, bool& isOurs, std::string& error);
+
 /// Texts of a container, by the names of their tags.
 using HeaderTags = std::map<std::string, std::string>;
 

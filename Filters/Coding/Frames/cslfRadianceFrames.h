@@ -10,11 +10,37 @@
 #define cslfRadianceFrames_h
 
 #include "Coding/Codecs/cslfAV.h"
+#include "vtkCSLFModule.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace cslf
 {
+/// The luminance of radiance 1, in cd/m^2.
+constexpr double WhiteLuminance = 203.0;
+
+/// The largest luminance that has a signal, in cd/m^2.
+constexpr double PeakLuminance = 10000.0;
+
+/// The largest radiance, about 49.26.
+constexpr double MaximumRadiance = PeakLuminance / WhiteLuminance;
+
+/// Radiance, clamped to [0,MaximumRadiance], to the signal, from 0 to 1.
+VTKCSLF_EXPORT double RadianceToPQ(double radiance);
+
+/// The signal, from 0 to 1, to radiance.
+VTKCSLF_EXPORT double PQToRadiance(double signal);
+
+/// Signals as codes of 16 bits.
+constexpr int LargestPQCode = 65535;
+
+/// The code nearest to the signal of a radiance, which may be any number or NaN.
+VTKCSLF_EXPORT int RadianceToPQCode(float radiance);
+
+/// The radiance of each code.
+VTKCSLF_EXPORT const std::vector<float>& GetCodedRadiances();
+
 /// Whether a frame can store a texel's red, green and blue: neither negative, nor above
 /// MaximumRadiance, nor NaN.
 bool IsCodable(const float* texel);

@@ -10,6 +10,7 @@
 
 #include "Coding/Codecs/cslfVideoEncoders.h"
 #include "Coding/Frames/cslfFrameConverter.h"
+#include "vtkCSLFModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,6 +19,15 @@
 
 namespace cslf
 {
+/// An open encoder of frames of a track with these options, or null with the reason in one line. It
+/// names the option if the encoder does not know or accept it.
+///
+/// Each library's options are checked once in a process. During the check, FFmpeg's log goes
+/// through a callback, and afterwards to FFmpeg's default callback. A program with its own callback
+/// must set it again.
+VTKCSLF_EXPORT AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder& encoder, const Track& track,
+  int resolution, const EncoderOptions& options, std::string& error);
+
 /// One coded frame.
 struct CodedFrame
 {

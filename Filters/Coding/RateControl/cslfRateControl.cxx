@@ -3,7 +3,7 @@
 #include "cslfRateControl.h"
 
 #include "Quality/cslfPSNR.h"
-#include "Quality/cslfRobertsSequence.h"
+#include "Quality/cslfTexelChoice.h"
 #include "cslfJSONText.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRateModel.h"
 
-#include "Quality/cslfRobertsSequence.h"
+#include "Quality/cslfTexelChoice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEncodeSession.h"
 
-#include "Coding/Frames/cslfPerceptualQuantizer.h"
+#include "Coding/Frames/cslfRadianceFrames.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Files/cslfFileSystem.h"
-#include "Parallel/cslfBroadcast.h"
+#include "Parallel/cslfRanks.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"

@@ -11,7 +11,6 @@
 #include "Pipeline/cslfPhase.h"
 #include "cslfEncodeRanks.h"
 #include "cslfFieldWriter.h"
-#include "cslfGroupCache.h"
 #include "cslfHeldOutViews.h"
 #include "cslfSlicePuller.h"
 

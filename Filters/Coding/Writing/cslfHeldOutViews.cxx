@@ -7,10 +7,9 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "Lookup/cslfLookup.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfPSNR.h"
-#include "Quality/cslfRobertsSequence.h"
 #include "Quality/cslfTexelChoice.h"
-#include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 
 #include <vtkImageData.h>

@@ -15,8 +15,10 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -24,6 +26,48 @@ class vtkInformation;
 
 namespace cslf
 {
+class GroupCache
+{
+public:
+  /// Keeps at most this many slices.
+  explicit GroupCache(int slices)
+    : Room(slices)
+  {
+  }
+
+  /// Keeps a group's slices if there is room.
+  void Keep(int group, std::vector<ViewpointSamples> slices)
+  {
+    const int count = static_cast<int>(slices.size());
+    if (count <= this->Room && this->Groups.count(group) == 0)
+    {
+      this->Room -= count;
+      this->Groups[group] = std::move(slices);
+    }
+  }
+
+  /// The slices of a group, or null.
+  const std::vector<ViewpointSamples>* Find(int group) const
+  {
+    const auto found = this->Groups.find(group);
+    return found == this->Groups.end() ? nullptr : &found->second;
+  }
+
+  void Drop(int group)
+  {
+    const auto found = this->Groups.find(group);
+    if (found != this->Groups.end())
+    {
+      this->Room += static_cast<int>(found->second.size());
+      this->Groups.erase(found);
+    }
+  }
+
+private:
+  int Room;
+  std::map<int, std::vector<ViewpointSamples>> Groups;
+};
+
 /// The grid of viewpoints and texels for the whole extent of that pipeline information, if it is
 /// that of a whole light field.
 std::optional<Layout> FindGrid(vtkInformation* information);

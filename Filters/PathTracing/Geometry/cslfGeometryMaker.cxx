@@ -9,7 +9,7 @@
 #include "PathTracing/Materials/cslfFrame.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "Pipeline/cslfParallelFor.h"
-#include "Quality/cslfRobertsSequence.h"
+#include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfSeenPlaces.h"
 #include "cslfTessellation.h"

@@ -3,7 +3,7 @@
 #include "cslfSeenPlaces.h"
 
 #include "Pipeline/cslfParallelFor.h"
-#include "Quality/cslfRobertsSequence.h"
+#include "Quality/cslfTexelChoice.h"
 #include "cslfLayout.h"
 
 #include <vtkType.h>

@@ -16,6 +16,21 @@
 
 namespace cslf
 {
+struct DirectionalLight
+{
+  glm::vec3 Direction{ 0.0f, 0.0f, -1.0f }; ///< in which the light travels, of unit length
+  glm::vec3 Irradiance{ 0.0f };             ///< on a surface that faces it
+
+  LightSample Sample() const
+  {
+    LightSample sample;
+    sample.Direction = -this->Direction;
+    sample.Radiance = this->Irradiance;
+    sample.Pdf = std::numeric_limits<float>::infinity();
+    return sample;
+  }
+};
+
 struct PointLight
 {
   glm::vec3 Position{ 0.0f };

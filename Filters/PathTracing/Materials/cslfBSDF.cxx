@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBSDF.h"
-#include "cslfFresnel.h"
 #include "cslfGGX.h"
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfLambert.h"
 #include "cslfLobe.h"
 #include "cslfSurfaceMaterial.h"
 

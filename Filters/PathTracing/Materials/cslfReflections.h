@@ -7,7 +7,6 @@
 #ifndef cslfReflections_h
 #define cslfReflections_h
 
-#include "cslfFresnel.h"
 #include "cslfGGX.h"
 
 #include <glm/geometric.hpp>

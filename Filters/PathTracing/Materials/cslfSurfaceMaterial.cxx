@@ -3,7 +3,6 @@
 #include "cslfSurfaceMaterial.h"
 
 #include "cslfBSDF.h"
-#include "cslfFresnel.h"
 #include "cslfGGX.h"
 #include "cslfReflections.h"
 

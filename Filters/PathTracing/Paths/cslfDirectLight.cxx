@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDirectLight.h"
 
-#include "PathTracing/Materials/cslfLambert.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
-#include "RandomNumbers/cslfStreamLanes.h"
 #include "SIMD/cslfVectorize.h"
-#include "cslfScatterLanes.h"
+#include "cslfSurfaceLanes.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathBatch.h"
 
-#include "PathTracing/Rays/cslfRayBin.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
 
 namespace cslf
 {

@@ -9,8 +9,9 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "PathTracing/Scene/cslfRayLanes.h"
 #include "PathTracing/Scene/cslfScene.h"
-#include "cslfPathPacket.h"
+#include "RandomNumbers/cslfSampleStream.h"
 
 #include <glm/vec3.hpp>
 
@@ -20,6 +21,33 @@
 
 namespace cslf
 {
+struct PathPacket
+{
+  RayLanes Rays;            ///< lanes of continuing paths are active
+  Vec3Lanes Beta;           ///< the weight of the light it finds
+  Lanes<float> Pdf;         ///< of the ray's direction, per solid angle; infinite for a given ray
+  Vec3Lanes Normal;         ///< of the LightReceiver where the ray starts
+  Lanes<float> Compression; ///< the factor of the weight that is undone on leaving glass
+  StreamLanes Streams;
+  Lanes<std::int32_t> Path;  ///< its number in the batch
+  Lanes<std::int32_t> Bin{}; ///< of the ray, see GetRayBin; not copied
+
+  /// Copies one path.
+  void Take(int lane, const PathPacket& from, int fromLane)
+  {
+    this->Rays.Active[lane] = -1;
+    this->Rays.Origin.Set(lane, from.Rays.Origin.Get(fromLane));
+    this->Rays.Direction.Set(lane, from.Rays.Direction.Get(fromLane));
+    this->Beta.Set(lane, from.Beta.Get(fromLane));
+    this->Pdf[lane] = from.Pdf[fromLane];
+    this->Normal.Set(lane, from.Normal.Get(fromLane));
+    this->Compression[lane] = from.Compression[fromLane];
+    this->Streams.Hash[lane] = from.Streams.Hash[fromLane];
+    this->Streams.Index[lane] = from.Streams.Index[fromLane];
+    this->Path[lane] = from.Path[fromLane];
+  }
+};
+
 /**
  * Filled by Add, followed by PathIntegrator::Follow, then read and cleared. The paths of one batch
  * determine which rays share a packet, and thereby the last bits of the results. Reproducible

@@ -3,7 +3,7 @@
 #include "cslfPathIntegrator.h"
 
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "cslfPathPacket.h"
+#include "cslfPathBatch.h"
 #include "cslfPathStep.h"
 
 namespace cslf

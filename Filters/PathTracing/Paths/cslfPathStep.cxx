@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathStep.h"
 
-#include "PathTracing/Materials/cslfLambert.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/Rays/cslfRayBin.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "SIMD/cslfVectorize.h"
 #include "cslfPathIntegrator.h"

@@ -8,8 +8,8 @@
 #define cslfPathStep_h
 
 #include "cslfDirectLight.h"
-#include "cslfPathPacket.h"
-#include "cslfScatterLanes.h"
+#include "cslfPathBatch.h"
+#include "cslfSurfaceLanes.h"
 
 namespace cslf
 {

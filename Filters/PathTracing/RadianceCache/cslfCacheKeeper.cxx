@@ -3,7 +3,7 @@
 #include "cslfCacheKeeper.h"
 
 #include "Files/cslfFileSystem.h"
-#include "Parallel/cslfBroadcast.h"
+#include "Parallel/cslfRanks.h"
 #include "cslfRadianceCache.h"
 
 #include <vtkCommunicator.h>

@@ -12,9 +12,9 @@
 
 #include "PathTracing/Scene/cslfScene.h"
 #include "cslfLayoutProgress.h"
+#include "cslfMeshEdges.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
-#include "cslfVertexClusters.h"
 
 #include <vector>
 

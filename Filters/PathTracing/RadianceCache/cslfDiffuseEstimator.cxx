@@ -3,11 +3,11 @@
 #include "cslfDiffuseEstimator.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/Paths/cslfScatterLanes.h"
+#include "PathTracing/Paths/cslfSurfaceLanes.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
-#include "RandomNumbers/cslfStreamLanes.h"
-#include "cslfHalfSamples.h"
 #include "cslfSampleNoise.h"
+#include "cslfSurfaceEstimate.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>

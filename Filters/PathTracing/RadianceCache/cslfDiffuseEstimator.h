@@ -16,7 +16,6 @@
 #include "cslfCacheShare.h"
 #include "cslfDiffuseLookUp.h"
 #include "cslfGatherDirections.h"
-#include "cslfHalfSamples.h"
 #include "cslfIncidentLight.h"
 #include "cslfSurfaceEstimate.h"
 

@@ -12,10 +12,10 @@
 
 #include "PathTracing/Scene/cslfScene.h"
 #include "cslfLayoutProgress.h"
+#include "cslfMeshEdges.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
 #include "cslfSurfaceLattice.h"
-#include "cslfVertexClusters.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,10 +4,80 @@
 
 #include "RandomNumbers/cslfSampleStream.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <vtkSMPTools.h>
 
 namespace cslf
 {
+namespace
+{
+// The normals of a cluster differ by up to about this size in each component.
+constexpr float NormalStep = 0.5f;
+}
+
+std::uint64_t HashCell(const glm::vec3& cell, std::uint64_t seed)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    seed = MixBits(seed, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i])));
+  }
+  return seed;
+}
+
+std::vector<std::uint32_t> FindVertexClusters(
+  const Mesh& mesh, float edge, const LayoutProgress& progress)
+{
+  std::vector<std::uint32_t> clusters;
+  std::unordered_map<std::uint64_t, std::uint32_t> firsts;
+  for (std::uint32_t vertex = 0; vertex < mesh.Normals.size(); ++vertex)
+  {
+    progress.Step();
+    const float length = glm::length(mesh.Normals[vertex]);
+    if (!(length > 0.0f))
+    {
+      clusters.push_back(vertex);
+      continue;
+    }
+    const glm::vec3 normal = glm::round(mesh.Normals[vertex] / (NormalStep * length));
+    const std::uint64_t key =
+      HashCell(normal, HashCell(glm::floor(mesh.Vertices[vertex] / edge), 0));
+    clusters.push_back(firsts.emplace(key, vertex).first->second);
+  }
+  return clusters;
+}
+
+PointGraph::PointGraph(std::size_t points, const std::vector<Edge>& edges)
+  : Ends(points, 0)
+{
+  std::vector<Edge> directed;
+  directed.reserve(2 * edges.size());
+  for (const Edge& edge : edges)
+  {
+    directed.push_back(edge);
+    directed.emplace_back(edge.second, edge.first);
+  }
+  vtkSMPTools::Sort(directed.begin(), directed.end());
+  directed.erase(std::unique(directed.begin(), directed.end()), directed.end());
+  this->Neighbours.reserve(directed.size());
+  for (const auto& [point, neighbour] : directed)
+  {
+    this->Neighbours.push_back(neighbour);
+    this->Ends[point] = this->Neighbours.size();
+  }
+  // Points without neighbours end where the point before them does.
+  for (std::size_t point = 1; point < points; ++point)
+  {
+    this->Ends[point] = std::max(this->Ends[point], this->Ends[point - 1]);
+  }
+}
+
 namespace
 {
 std::uint64_t HashPlace(const glm::vec3& place)

@@ -9,14 +9,63 @@
 
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "cslfLayoutProgress.h"
+#include "vtkCSLFModule.h" // for export macro
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace cslf
 {
+/// A number for a cell of space, given by integers, that depends on a seed, too.
+std::uint64_t HashCell(const glm::vec3& cell, std::uint64_t seed);
+
+/// Of each mesh, for each vertex.
+using VertexClusters = std::vector<std::vector<std::uint32_t>>;
+
+/// For each vertex of a mesh, the first vertex in the same cube of an edge length, whose normal has
+/// a similar direction. Vertices that have no normal stand alone. Empty if the mesh has no normals.
+VTKCSLF_EXPORT std::vector<std::uint32_t> FindVertexClusters(
+  const Mesh& mesh, float edge, const LayoutProgress& progress = LayoutProgress());
+
+class VTKCSLF_EXPORT PointGraph
+{
+public:
+  /// Two different points.
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// No points.
+  PointGraph() = default;
+
+  /// Edges may occur several times and in both directions.
+  PointGraph(std::size_t points, const std::vector<Edge>& edges);
+
+  std::size_t GetNumberOfPoints() const { return this->Ends.size(); }
+
+  ///@{
+  /// The neighbours of a point.
+  const std::uint32_t* Begin(std::size_t point) const
+  {
+    return this->Neighbours.data() + (point > 0 ? this->Ends[point - 1] : 0);
+  }
+  const std::uint32_t* End(std::size_t point) const
+  {
+    return this->Neighbours.data() + this->Ends[point];
+  }
+  std::size_t GetNumberOfNeighbours(std::size_t point) const
+  {
+    return static_cast<std::size_t>(this->End(point) - this->Begin(point));
+  }
+  ///@}
+
+private:
+  std::vector<std::size_t> Ends; // of the points' parts of the list
+  std::vector<std::uint32_t> Neighbours;
+};
+
 /// Numbers of the places of vertices: vertices at the same place have the same number.
 struct VertexPlaces
 {

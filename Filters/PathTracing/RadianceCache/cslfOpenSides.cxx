@@ -3,9 +3,9 @@
 #include "cslfOpenSides.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/Paths/cslfScatterLanes.h"
+#include "PathTracing/Paths/cslfSurfaceLanes.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
-#include "RandomNumbers/cslfStreamLanes.h"
 #include "cslfClosedBodies.h"
 
 #include <glm/common.hpp>

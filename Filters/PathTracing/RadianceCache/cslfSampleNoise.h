@@ -8,7 +8,7 @@
 #define cslfSampleNoise_h
 
 #include "Quality/cslfDisplayCurve.h"
-#include "cslfPointGraph.h"
+#include "cslfMeshEdges.h"
 
 #include <glm/vec3.hpp>
 

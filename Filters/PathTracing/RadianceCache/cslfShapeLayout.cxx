@@ -4,8 +4,8 @@
 
 #include "PathTracing/Rays/cslfHitGeometry.h"
 #include "cslfClosedBodies.h"
+#include "cslfMeshEdges.h"
 #include "cslfShapePoints.h"
-#include "cslfVertexClusters.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>

@@ -7,6 +7,7 @@
 #ifndef cslfLightReader_h
 #define cslfLightReader_h
 
+#include "PathTracing/Lights/cslfEnvironment.h"
 #include "cslfScene.h"
 
 #include <glm/vec3.hpp>
@@ -19,6 +20,12 @@ class vtkDataObject;
 
 namespace cslf
 {
+/// Whether a data object, which may be null, contains an environment.
+bool HasEnvironment(vtkDataObject* data);
+
+/// Reads it. False if its arrays do not fit each other or are not finite.
+bool ReadEnvironment(vtkDataObject* data, Environment& environment);
+
 class LightReader
 {
 public:

@@ -4,7 +4,7 @@
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
-#include "PathTracing/Shapes/cslfTubeDivision.h"
+#include "PathTracing/Shapes/cslfTube.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "vtkCSLFMaterial.h"
 

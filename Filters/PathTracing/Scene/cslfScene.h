@@ -10,7 +10,6 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Lights/cslfDirectionalLight.h"
 #include "PathTracing/Lights/cslfEnvironment.h"
 #include "PathTracing/Lights/cslfLocalLights.h"
 #include "PathTracing/Lights/cslfPointLight.h"

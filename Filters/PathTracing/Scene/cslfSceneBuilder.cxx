@@ -8,7 +8,6 @@
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfValidPolyData.h"
 #include "cslfColor.h"
-#include "cslfEnvironmentReader.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
 #include "cslfMeshJoin.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfTubeDivision.h"
-
-#include <glm/geometric.hpp>
+#include "cslfTube.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace cslf
 {
@@ -132,4 +132,5 @@ void DivideLongTubes(Mesh& mesh)
     TubeDivider(mesh, std::max(LongestPiece, sum / MostNewPieces)).Divide(mesh);
   }
 }
+
 }

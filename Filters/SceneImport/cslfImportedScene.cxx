@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfImportLimits.h"
+#include "cslfImportedScene.h"
 
 #include "cslfJoin.h"
 

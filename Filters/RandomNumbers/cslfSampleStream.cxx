@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfStreamLanes.h"
-
+#include "cslfSampleStream.h"
 #include "SIMD/cslfVectorize.h"
 
 namespace cslf
@@ -62,4 +61,5 @@ void StreamLanes::Get1D(std::uint32_t vertex, Dimension dimension, Lanes<float>&
 {
   MakeNumbers(*this, vertex * static_cast<std::uint32_t>(Dimension::Count), dimension, x);
 }
+
 }

@@ -1,0 +1,564 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfBitstreams.h"
+#include "cslfCodec.h"
+
+#include <zlib.h>
+
+#include <functional>
+
+namespace cslf
+{
+namespace
+{
+// What H.264 and HEVC have in common: their data are NAL units (ITU-T H.264 and H.265, section
+// 7.3.1). Checksums are over these units, without start codes or length prefixes.
+
+/// A NAL unit in memory, with its header.
+struct NALUnit
+{
+  const std::uint8_t* Data = nullptr;
+  std::size_t Size = 0;
+};
+
+/// How units and the decoder configuration records (ISO/IEC 14496-15) of a codec begin.
+struct NALSyntax
+{
+  std::size_t HeaderSize = 1; ///< of units, in bytes
+  ///@{
+  /// The byte of a unit that contains its type.
+  int TypeShift = 0;
+  int TypeMask = 0;
+  ///@}
+  ///@{
+  /// The types of units with coded picture data.
+  int FirstSlice = 0;
+  int LastSlice = 0;
+  ///@}
+  ///@{
+  /// The types of parameter sets, all of which a configuration has.
+  int FirstParameterSet = 0;
+  int LastParameterSet = 0;
+  ///@}
+  ///@{
+  /// The types of units that decoders skip.
+  int Delimiter = 0; ///< of access units
+  int Filler = 0;
+  ///@}
+  std::size_t LeastRecordSize = 0;
+  std::size_t RecordLengthSizeOffset = 0; ///< of the byte with the size of length prefixes
+};
+
+class NALBitstream : public Bitstream
+{
+public:
+  bool ReadConfiguration(
+    const std::uint8_t* data, std::size_t size, Framing& framing) const override;
+  bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
+    std::uint32_t& crc) const override;
+  std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
+
+protected:
+  using Visitor = std::function<void(const NALUnit&)>;
+
+  explicit NALBitstream(const NALSyntax& syntax)
+    : Syntax(syntax)
+  {
+  }
+
+  /// Visits the units of a record of at least the minimum size. False if it is truncated.
+  virtual bool VisitRecord(
+    const std::uint8_t* data, std::size_t size, const Visitor& visit) const = 0;
+
+  /// Visits `count` units, each after its size in two bytes, and moves `position` behind them.
+  /// Records consist of such arrays.
+  bool VisitArray(const std::uint8_t* data, std::size_t size, std::size_t count,
+    std::size_t& position, const Visitor& visit) const;
+
+private:
+  int GetType(const NALUnit& unit) const;
+  bool IsSlice(const NALUnit& unit) const;
+  bool IsParameterSet(const NALUnit& unit) const;
+  bool IsSkipped(const NALUnit& unit) const;
+
+  /// Visits the unit after its size at `position`, and moves `position` behind it.
+  bool VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize, std::size_t& position,
+    const Visitor& visit) const;
+  bool VisitPrefixed(
+    const std::uint8_t* data, std::size_t size, int lengthSize, const Visitor& visit) const;
+  bool VisitStartCoded(const std::uint8_t* data, std::size_t size, const Visitor& visit) const;
+
+  NALSyntax Syntax;
+};
+
+/// A big-endian number.
+std::size_t ReadNumber(const std::uint8_t* data, int bytes)
+{
+  std::size_t number = 0;
+  for (int k = 0; k < bytes; ++k)
+  {
+    number = number << 8 | data[k];
+  }
+  return number;
+}
+
+/// The offset of the next start code, 00 00 01, or `size`.
+std::size_t FindStartCode(const std::uint8_t* data, std::size_t size, std::size_t from)
+{
+  for (std::size_t k = from; k + 3 <= size; ++k)
+  {
+    if (data[k] == 0 && data[k + 1] == 0 && data[k + 2] == 1)
+    {
+      return k;
+    }
+  }
+  return size;
+}
+
+std::uint32_t AddTo(std::uint32_t crc, const NALUnit& unit)
+{
+  return static_cast<std::uint32_t>(::crc32(crc, unit.Data, static_cast<uInt>(unit.Size)));
+}
+
+int NALBitstream::GetType(const NALUnit& unit) const
+{
+  return unit.Data[0] >> this->Syntax.TypeShift & this->Syntax.TypeMask;
+}
+
+bool NALBitstream::IsSlice(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type >= this->Syntax.FirstSlice && type <= this->Syntax.LastSlice;
+}
+
+bool NALBitstream::IsParameterSet(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type >= this->Syntax.FirstParameterSet && type <= this->Syntax.LastParameterSet;
+}
+
+bool NALBitstream::IsSkipped(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type == this->Syntax.Delimiter || type == this->Syntax.Filler;
+}
+
+bool NALBitstream::VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize,
+  std::size_t& position, const Visitor& visit) const
+{
+  if (size - position < static_cast<std::size_t>(lengthSize))
+  {
+    return false;
+  }
+  const std::size_t length = ReadNumber(data + position, lengthSize);
+  position += lengthSize;
+  if (length < this->Syntax.HeaderSize || length > size - position)
+  {
+    return false;
+  }
+  visit({ data + position, length });
+  position += length;
+  return true;
+}
+
+bool NALBitstream::VisitPrefixed(
+  const std::uint8_t* data, std::size_t size, int lengthSize, const Visitor& visit) const
+{
+  std::size_t position = 0;
+  while (position < size)
+  {
+    if (!this->VisitUnit(data, size, lengthSize, position, visit))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool NALBitstream::VisitStartCoded(
+  const std::uint8_t* data, std::size_t size, const Visitor& visit) const
+{
+  std::size_t start = FindStartCode(data, size, 0);
+  while (start < size)
+  {
+    start += 3;
+    const std::size_t next = FindStartCode(data, size, start);
+    // Zeros before a start code belong to it: no NAL unit ends with a zero.
+    std::size_t end = next;
+    while (end > start && data[end - 1] == 0)
+    {
+      --end;
+    }
+    if (end - start < this->Syntax.HeaderSize)
+    {
+      return false;
+    }
+    visit({ data + start, end - start });
+    start = next;
+  }
+  return true;
+}
+
+bool NALBitstream::VisitArray(const std::uint8_t* data, std::size_t size, std::size_t count,
+  std::size_t& position, const Visitor& visit) const
+{
+  constexpr int lengthSize = 2;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    if (!this->VisitUnit(data, size, lengthSize, position, visit))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool NALBitstream::ReadConfiguration(
+  const std::uint8_t* data, std::size_t size, Framing& framing) const
+{
+  framing = {};
+  int found = 0;
+  const auto add = [&](const NALUnit& unit)
+  {
+    if (this->IsParameterSet(unit))
+    {
+      found |= 1 << (this->GetType(unit) - this->Syntax.FirstParameterSet);
+      framing.ParameterSetsCRC = AddTo(framing.ParameterSetsCRC, unit);
+      framing.ParameterSetCRCs.push_back(AddTo(0, unit));
+    }
+  };
+  const bool isRecord = size >= this->Syntax.LeastRecordSize && data[0] == 1;
+  if (!isRecord && !(size > 3 && data[0] == 0 && data[1] == 0))
+  {
+    return false;
+  }
+  framing.LengthSize = isRecord ? (data[this->Syntax.RecordLengthSizeOffset] & 3) + 1 : 0;
+  const bool isWhole =
+    isRecord ? this->VisitRecord(data, size, add) : this->VisitStartCoded(data, size, add);
+  const int all = (1 << (this->Syntax.LastParameterSet - this->Syntax.FirstParameterSet + 1)) - 1;
+  return isWhole && found == all;
+}
+
+bool NALBitstream::AddToCRC(
+  const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
+{
+  bool isOfTrack = true;
+  const auto add = [&](const NALUnit& unit)
+  {
+    if (this->IsSlice(unit))
+    {
+      crc = AddTo(crc, unit);
+    }
+    else
+    {
+      isOfTrack = isOfTrack &&
+        (this->IsSkipped(unit) ||
+          (this->IsParameterSet(unit) && framing.HasParameterSet(AddTo(0, unit))));
+    }
+  };
+  const bool isWhole = framing.LengthSize == 0
+    ? this->VisitStartCoded(data, size, add)
+    : this->VisitPrefixed(data, size, framing.LengthSize, add);
+  return isWhole && isOfTrack;
+}
+
+std::vector<std::uint8_t> NALBitstream::Trim(const std::uint8_t* data, std::size_t size) const
+{
+  std::vector<std::uint8_t> slices;
+  slices.reserve(size);
+  const auto add = [&](const NALUnit& unit)
+  {
+    if (this->IsSlice(unit))
+    {
+      slices.insert(slices.end(), { 0, 0, 0, 1 });
+      slices.insert(slices.end(), unit.Data, unit.Data + unit.Size);
+    }
+  };
+  return this->VisitStartCoded(data, size, add) ? slices : std::vector<std::uint8_t>();
+}
+
+NALSyntax MakeH264Syntax()
+{
+  NALSyntax syntax;
+  syntax.HeaderSize = 1;
+  syntax.TypeShift = 0;
+  syntax.TypeMask = 0x1f;
+  syntax.FirstSlice = 1;
+  syntax.LastSlice = 5;
+  syntax.FirstParameterSet = 7; // of a sequence
+  syntax.LastParameterSet = 8;  // of a picture
+  syntax.Delimiter = 9;
+  syntax.Filler = 12;
+  syntax.LeastRecordSize = 7;
+  syntax.RecordLengthSizeOffset = 4;
+  return syntax;
+}
+
+class H264Bitstream : public NALBitstream
+{
+public:
+  H264Bitstream()
+    : NALBitstream(MakeH264Syntax())
+  {
+  }
+
+protected:
+  bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
+  {
+    // An AVCDecoderConfigurationRecord contains the sequence parameter sets after a byte with their
+    // count in its low bits, then the picture parameter sets after a byte with theirs.
+    constexpr std::size_t countOffset = 5;
+    std::size_t position = countOffset + 1;
+    if (!this->VisitArray(data, size, data[countOffset] & 0x1f, position, visit) ||
+      position >= size)
+    {
+      return false;
+    }
+    const std::size_t count = data[position];
+    ++position;
+    return this->VisitArray(data, size, count, position, visit);
+  }
+};
+}
+
+const Bitstream& GetH264Bitstream()
+{
+  static const H264Bitstream bitstream;
+  return bitstream;
+}
+
+namespace
+{
+NALSyntax MakeHEVCSyntax()
+{
+  NALSyntax syntax;
+  syntax.HeaderSize = 2;
+  syntax.TypeShift = 1;
+  syntax.TypeMask = 0x3f;
+  syntax.FirstSlice = 0;
+  syntax.LastSlice = 31;
+  syntax.FirstParameterSet = 32; // of a video
+  syntax.LastParameterSet = 34;  // of a picture
+  syntax.Delimiter = 35;
+  syntax.Filler = 38;
+  syntax.LeastRecordSize = 23;
+  syntax.RecordLengthSizeOffset = 21;
+  return syntax;
+}
+
+class HEVCBitstream : public NALBitstream
+{
+public:
+  HEVCBitstream()
+    : NALBitstream(MakeHEVCSyntax())
+  {
+  }
+
+protected:
+  bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
+  {
+    // The fixed part of an HEVCDecoderConfigurationRecord ends with the number of arrays that
+    // follow. Each array is a type, a count in two bytes, and the units.
+    std::size_t position = MakeHEVCSyntax().LeastRecordSize;
+    for (int array = data[position - 1]; array > 0; --array)
+    {
+      if (size - position < 3)
+      {
+        return false;
+      }
+      const std::size_t count = data[position + 1] << 8 | data[position + 2];
+      position += 3;
+      if (!this->VisitArray(data, size, count, position, visit))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+}
+
+const Bitstream& GetHEVCBitstream()
+{
+  static const HEVCBitstream bitstream;
+  return bitstream;
+}
+
+namespace
+{
+/// The types of units that are used here (AV1 bitstream specification, section 6.2.2).
+enum UnitType
+{
+  SequenceHeader = 1,
+  TemporalDelimiter = 2,
+  FrameHeader = 3,
+  TileGroup = 4,
+  Frame = 6,
+  Padding = 15
+};
+
+/// A unit in memory.
+struct Unit
+{
+  int Type = 0;
+  const std::uint8_t* Data = nullptr; ///< with its header
+  std::size_t Size = 0;
+  const std::uint8_t* Payload = nullptr;
+  std::size_t PayloadSize = 0;
+
+  bool IsPicture() const
+  {
+    return this->Type == FrameHeader || this->Type == TileGroup || this->Type == Frame;
+  }
+  std::uint32_t AddTo(std::uint32_t crc) const
+  {
+    return static_cast<std::uint32_t>(
+      ::crc32(crc, this->Payload, static_cast<uInt>(this->PayloadSize)));
+  }
+};
+
+/// Reads a number of up to 8 bytes with 7 bits each (leb128) and moves `position` behind it.
+bool ReadSize(
+  const std::uint8_t* data, std::size_t size, std::size_t& position, std::size_t& number)
+{
+  number = 0;
+  for (int k = 0; k < 8 && position < size; ++k)
+  {
+    const std::uint8_t byte = data[position++];
+    number |= static_cast<std::size_t>(byte & 0x7f) << (7 * k);
+    if ((byte & 0x80) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <typename Visit>
+bool VisitUnits(const std::uint8_t* data, std::size_t size, Visit visit)
+{
+  constexpr int forbidden = 0x80;
+  constexpr int hasExtension = 0x04;
+  constexpr int hasSize = 0x02;
+  std::size_t position = 0;
+  while (position < size)
+  {
+    const std::size_t start = position;
+    const std::uint8_t header = data[position];
+    position += (header & hasExtension) != 0 ? 2 : 1;
+    if ((header & forbidden) != 0 || position > size)
+    {
+      return false;
+    }
+    std::size_t payload = size - position;
+    if ((header & hasSize) != 0 && !ReadSize(data, size, position, payload))
+    {
+      return false;
+    }
+    if (payload > size - position)
+    {
+      return false;
+    }
+    const int type = (header >> 3) & 0x0f;
+    visit(Unit{ type, data + start, position + payload - start, data + position, payload });
+    position += payload;
+  }
+  return true;
+}
+
+class AV1Bitstream : public Bitstream
+{
+public:
+  bool ReadConfiguration(
+    const std::uint8_t* data, std::size_t size, Framing& framing) const override;
+  bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
+    std::uint32_t& crc) const override;
+  std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
+
+  /// The sequence header, which the first packet of each group contains.
+  std::vector<std::uint8_t> FindParameterSets(const std::vector<std::uint8_t>& configuration,
+    const std::vector<std::uint8_t>& packet) const override;
+};
+
+bool AV1Bitstream::ReadConfiguration(
+  const std::uint8_t* data, std::size_t size, Framing& framing) const
+{
+  // An AV1CodecConfigurationRecord has four bytes before its units; the first is a marker.
+  constexpr std::size_t recordHeaderSize = 4;
+  constexpr std::uint8_t recordMarker = 0x81;
+  framing = {};
+  if (size > recordHeaderSize && data[0] == recordMarker)
+  {
+    data += recordHeaderSize;
+    size -= recordHeaderSize;
+  }
+  int found = 0;
+  const auto add = [&](const Unit& unit)
+  {
+    if (unit.Type == SequenceHeader)
+    {
+      framing.ParameterSetsCRC = unit.AddTo(0);
+      framing.ParameterSetCRCs.push_back(framing.ParameterSetsCRC);
+      ++found;
+    }
+  };
+  return VisitUnits(data, size, add) && found == 1;
+}
+
+bool AV1Bitstream::AddToCRC(
+  const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
+{
+  bool isOfTrack = true;
+  const auto add = [&](const Unit& unit)
+  {
+    if (unit.IsPicture())
+    {
+      crc = unit.AddTo(crc);
+    }
+    else
+    {
+      isOfTrack = isOfTrack &&
+        (unit.Type == TemporalDelimiter || unit.Type == Padding ||
+          (unit.Type == SequenceHeader && framing.HasParameterSet(unit.AddTo(0))));
+    }
+  };
+  return VisitUnits(data, size, add) && isOfTrack;
+}
+
+std::vector<std::uint8_t> AV1Bitstream::Trim(const std::uint8_t* data, std::size_t size) const
+{
+  std::vector<std::uint8_t> needed;
+  needed.reserve(size);
+  const auto add = [&](const Unit& unit)
+  {
+    if (unit.Type == SequenceHeader || unit.IsPicture())
+    {
+      needed.insert(needed.end(), unit.Data, unit.Data + unit.Size);
+    }
+  };
+  return VisitUnits(data, size, add) ? needed : std::vector<std::uint8_t>();
+}
+
+std::vector<std::uint8_t> AV1Bitstream::FindParameterSets(
+  const std::vector<std::uint8_t>&, const std::vector<std::uint8_t>& packet) const
+{
+  std::vector<std::uint8_t> header;
+  const auto take = [&](const Unit& unit)
+  {
+    if (unit.Type == SequenceHeader && header.empty())
+    {
+      header.assign(unit.Data, unit.Data + unit.Size);
+    }
+  };
+  VisitUnits(packet.data(), packet.size(), take);
+  return header;
+}
+}
+
+const Bitstream& GetAV1Bitstream()
+{
+  static const AV1Bitstream bitstream;
+  return bitstream;
+}
+
+}
