@@ -11,7 +11,7 @@ list(APPEND classes
   ../Filters/vtkCSLFResample)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
-cslf_add(Filters/Files AtomicFile FileSystem JSONFile Libraries LockedFile WorkFolder)
+cslf_add(Filters/Files AtomicFile FileSystem JSONFile LockedFile WorkFolder)
 if (WIN32)
   cslf_add(Filters/Files/Windows FileSystem LockedFile Windows)
 else ()

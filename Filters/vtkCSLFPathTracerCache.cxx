@@ -4,7 +4,6 @@
 // The radiance cache of vtkCSLFPathTracer: when it is made, and how accurate it is.
 #include "vtkCSLFPathTracer.h"
 
-#include "Files/cslfLibraries.h"
 #include "Options/cslfOption.h"
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
@@ -71,7 +70,6 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
   key["cache"][options::CacheSpacing.Key] = spacing;
   key["cache"]["display_range"] = displayRange;
   key["cslf"] = CSLF_VERSION;
-  key["libraries"] = cslf::FindLibraries({ "libembree3.so", "libembree4.so" });
   return key.dump();
 }
 

@@ -173,18 +173,11 @@ void TestDamage(vtkImageData* field, const Remains& remains, const std::string& 
 void TestManifest(vtkImageData* field, const Remains& remains, const std::string& fileName,
   const std::vector<char>& expected)
 {
-  const std::string kept = remains.Kept + "/manifest.json";
-  const std::vector<char> bytes = ReadBytes(kept);
-  const auto manifest = nlohmann::json::parse(bytes);
-  CSLF_CHECK(manifest.contains("libraries") && manifest["libraries"].contains("cslf"));
-  bool hasEncoder = false;
-  for (const auto& library : manifest["libraries"].items())
+  const auto manifest = nlohmann::json::parse(ReadBytes(remains.Kept + "/manifest.json"));
+  for (const char* name : { "cslf", "ffmpeg", "description", "sample" })
   {
-    CSLF_CHECK(library.value().get<std::string>().size() > 8);
-    hasEncoder = hasEncoder || library.key().rfind("libx265", 0) == 0;
+    CSLF_CHECK(manifest.contains(name));
   }
-  CSLF_CHECK(hasEncoder);
-
   const Remains other = Interrupt(field, remains.Folder + "-other.mp4",
     [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetCRF(40.0); });
   PutBack(remains);

@@ -170,19 +170,19 @@ EncoderOptions MakeAOMOptions(const Track&, const EncodeOptions& options)
 const std::vector<VideoEncoder>& GetEncoders()
 {
   static const std::vector<VideoEncoder> encoders = {
-    { Codec::HEVC, "libx265", "libx265.so", "x265-params", MinimumResolution, true, true,
+    { Codec::HEVC, "libx265", "x265-params", MinimumResolution, true, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10, AV_PIX_FMT_GBRP },
       AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, MakeX265Options },
     // It has no gray format. The added chroma is ignored and costs almost nothing.
-    { Codec::AV1, "libsvtav1", "libSvtAv1Enc.so", "svtav1-params", MinimumResolutionOfSVT, false,
-      false, { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10,
+    { Codec::AV1, "libsvtav1", "svtav1-params", MinimumResolutionOfSVT, false, false,
+      { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10,
       AV_PIX_FMT_NONE, MakeSVTOptions },
-    { Codec::AV1, "libaom-av1", "libaom.so", "aom-params", MinimumResolution, false, true,
+    { Codec::AV1, "libaom-av1", "aom-params", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10,
         AV_PIX_FMT_YUV422P },
       AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, MakeAOMOptions },
-    { Codec::H264, "libx264", "libx264.so", "x264-params", MinimumResolution, false, true,
+    { Codec::H264, "libx264", "x264-params", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10 },
       AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV444P10, MakeX264Options },
@@ -221,19 +221,6 @@ AVPixelFormat VideoEncoder::GetFormat(SampleKind kind, Plane plane) const
     default:
       return this->Bytes;
   }
-}
-
-std::vector<std::string> GetLibraries(Codec codec)
-{
-  std::vector<std::string> libraries;
-  for (const VideoEncoder& encoder : GetEncoders())
-  {
-    if (encoder.Coding == codec)
-    {
-      libraries.emplace_back(encoder.Library);
-    }
-  }
-  return libraries;
 }
 
 const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution)

@@ -44,7 +44,6 @@ struct VideoEncoder
 {
   Codec Coding;
   const char* Name;          ///< FFmpeg's
-  const char* Library;       ///< its shared library's file name
   const char* LibraryOption; ///< FFmpeg's option that contains the library's options
   int MinimumResolution;     ///< in texels along each side of a tile
   bool CanBeLossless;
@@ -60,9 +59,6 @@ struct VideoEncoder
   /// The default format of a plane of that kind of samples.
   AVPixelFormat GetFormat(SampleKind kind, Plane plane) const;
 };
-
-/// The libraries of all encoders for a codec: those that its bytes may depend on.
-std::vector<std::string> GetLibraries(Codec codec);
 
 /// The first encoder of this FFmpeg that can code frames of that format and resolution, or null.
 VTKCSLF_EXPORT const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);

@@ -4,7 +4,6 @@
 
 #include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfAtomicFile.h"
-#include "Files/cslfLibraries.h"
 #include "cslfJSON.h"
 #include "cslfPart.h"
 
@@ -28,17 +27,6 @@ constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0 };
 /// The bytes of a texel of raw 24-bit colour.
 constexpr double RawTexelBytes = 3.0;
 
-/// The libraries that the bytes of coded groups depend on.
-std::vector<std::string> LibrariesOf(const std::string& codec)
-{
-  std::vector<std::string> names = { "libavcodec.so", "libembree3.so", "libembree4.so" };
-  if (const auto found = CodecOfName(codec))
-  {
-    const std::vector<std::string> more = GetLibraries(*found);
-    names.insert(names.end(), more.begin(), more.end());
-  }
-  return names;
-}
 }
 
 FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& settings)
@@ -103,9 +91,8 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample, const Ge
 std::string FieldWriter::MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 3 }, { "cslf", CSLF_VERSION },
+  const nlohmann::json manifest = { { "version", 4 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
-    { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
     { "description", this->Header.Field.ToJSON() }, { "sample", sample },
     { "geometry", plan.GetChecksum() }, { "computes_coverage", plan.GetComputed().HasCoverage },
     { "coding", settings.Codec }, { "preset", settings.Preset },
