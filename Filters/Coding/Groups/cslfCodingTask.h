@@ -7,6 +7,9 @@
 #ifndef cslfCodingTask_h
 #define cslfCodingTask_h
 
+#include "cslfGroupCodec.h"
+
+#include <utility>
 #include <vector>
 
 namespace cslf
@@ -30,6 +33,17 @@ struct GroupCost
   /// Of colour, summed over texels, red, green and blue, in units of 1/255; negative if not known.
   double SquaredError = -1.0;
   bool CoveredFully = true;
+};
+
+/// A group's part of each track.
+using GroupParts = std::vector<CodedGroup>;
+
+/// What came of a task.
+struct CodingResult
+{
+  int Group = 0;
+  std::vector<std::pair<double, GroupCost>> Trials; ///< the cost at each rate factor
+  GroupParts Parts;                                 ///< of a group that is not only tried
 };
 }
 

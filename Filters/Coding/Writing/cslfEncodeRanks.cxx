@@ -11,6 +11,9 @@ namespace
 {
 constexpr std::uint32_t NoRank = 0xffffffffu;
 
+/// All ranks have the same manifest.
+constexpr std::uint32_t NoManifest = 0;
+
 /// The kind of a message, which is its first number.
 enum Topic : std::uint32_t
 {
@@ -40,6 +43,72 @@ void Put(const CodingTask& task, ByteBuffer& buffer)
   {
     buffer.Put(factor);
   }
+}
+
+void Put(const CodingResult& result, ByteBuffer& buffer)
+{
+  buffer.Put(static_cast<std::uint32_t>(result.Group));
+  buffer.Put(static_cast<std::uint32_t>(result.Trials.size()));
+  for (const auto& [factor, cost] : result.Trials)
+  {
+    for (double number : { factor, cost.Bytes, cost.CoverageBytes, cost.SquaredError })
+    {
+      buffer.Put(number);
+    }
+    buffer.Put(cost.CoveredFully ? 1u : 0u);
+  }
+  buffer.Put(static_cast<std::uint32_t>(result.Parts.size()));
+  for (const CodedGroup& part : result.Parts)
+  {
+    buffer.Put(PackPart(part, NoManifest));
+  }
+}
+
+bool Take(ByteBuffer& buffer, std::pair<double, GroupCost>& trial)
+{
+  auto& [factor, cost] = trial;
+  std::uint32_t isCovered = 0;
+  const bool isGood = buffer.Take(factor) && buffer.Take(cost.Bytes) &&
+    buffer.Take(cost.CoverageBytes) && buffer.Take(cost.SquaredError) && buffer.Take(isCovered);
+  cost.CoveredFully = isCovered != 0;
+  return isGood;
+}
+
+bool Take(ByteBuffer& buffer, CodedGroup& part)
+{
+  std::vector<std::uint8_t> bytes;
+  return buffer.Take(bytes) && UnpackPart(std::move(bytes), NoManifest, part);
+}
+
+/// Takes a list of items. The number of them is limited by what the rest of the message can hold.
+template <typename Item>
+bool Take(ByteBuffer& buffer, std::vector<Item>& items)
+{
+  std::uint32_t count = 0;
+  bool isGood = buffer.Take(count);
+  for (std::uint32_t i = 0; isGood && i < count; ++i)
+  {
+    items.emplace_back();
+    isGood = Take(buffer, items.back());
+  }
+  return isGood;
+}
+
+/// The results in a message; none if it is damaged.
+std::vector<CodingResult> TakeResults(ByteBuffer& buffer)
+{
+  std::vector<CodingResult> results;
+  for (std::uint32_t group = 0; buffer.Take(group);)
+  {
+    CodingResult result;
+    result.Group = static_cast<int>(group);
+    if (!Take(buffer, result.Trials) || !Take(buffer, result.Parts))
+    {
+      return {};
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
 }
 }
 
@@ -124,14 +193,14 @@ bool EncodeRanks::Lead(
 {
   this->Undealt = std::move(tasks);
   this->AtOnce = atOnce;
-  this->Take = &take;
+  this->TakeAll = &take;
   for (int rank : std::exchange(this->Waiting, {}))
   {
     this->Deal(rank);
   }
   while (!this->Stopped && !this->Undealt.empty())
   {
-    ByteBuffer results;
+    std::vector<CodingResult> results;
     if (!make(this->Choose(0), results) || !take(results))
     {
       this->StopOthers();
@@ -142,7 +211,7 @@ bool EncodeRanks::Lead(
   {
     this->Handle(this->Team.Wait());
   }
-  this->Take = nullptr;
+  this->TakeAll = nullptr;
   return !this->Stopped;
 }
 
@@ -177,11 +246,16 @@ void EncodeRanks::Follow(const Maker& make)
       break;
     }
     this->Team.Post(0, ask.GetBytes());
-    ByteBuffer results = MakeMessage(Results);
+    std::vector<CodingResult> results;
     good = make(tasks, results);
     if (good)
     {
-      this->Team.Post(0, results.GetBytes());
+      ByteBuffer message = MakeMessage(Results);
+      for (const CodingResult& result : results)
+      {
+        Put(result, message);
+      }
+      this->Team.Post(0, message.GetBytes());
     }
   }
   this->Team.Post(0, MakeMessage(good || this->Stopped ? Done : Failed).GetBytes());
@@ -233,9 +307,13 @@ void EncodeRanks::Handle(Ranks::Message message)
       break;
     case Results:
       --this->Outstanding;
-      if (!this->Stopped && !(*this->Take)(content))
+      if (!this->Stopped)
       {
-        this->StopOthers();
+        std::vector<CodingResult> results = TakeResults(content);
+        if (!(*this->TakeAll)(results))
+        {
+          this->StopOthers();
+        }
       }
       break;
     case Done:

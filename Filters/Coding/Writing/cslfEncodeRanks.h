@@ -34,11 +34,13 @@ public:
     int FromRoot = 0;     ///< the number given by rank 0
   };
 
-  /// Does tasks and appends the results to the buffer. False on failure.
-  using Maker = std::function<bool(const std::vector<CodingTask>& tasks, ByteBuffer& results)>;
+  /// Does tasks. False on failure.
+  using Maker =
+    std::function<bool(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)>;
 
-  /// Takes the results of some rank's tasks. False on failure.
-  using Taker = std::function<bool(ByteBuffer& results)>;
+  /// Takes the results of some rank's tasks; a rank whose message is damaged has none. False on
+  /// failure.
+  using Taker = std::function<bool(std::vector<CodingResult>& results)>;
 
   explicit EncodeRanks(vtkMultiProcessController* controller);
 
@@ -82,7 +84,7 @@ private:
   // Rank 0
   std::vector<CodingTask> Undealt;
   int AtOnce = 1;
-  const Taker* Take = nullptr;        ///< while Lead is at work
+  const Taker* TakeAll = nullptr;     ///< while Lead is at work
   std::map<int, int> Makers;          ///< the rank that worked on a group last
   std::vector<int> Waiting;           ///< ranks that asked when there were no tasks
   std::vector<Ranks::Message> States; ///< final results of the others

@@ -462,9 +462,9 @@ bool EncodeSession::DoNext(bool& isDone)
     [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
   return this->Peers.Lead(
            std::move(undone), this->GetGroupsAtOnce(),
-           [this](const std::vector<CodingTask>& mine, ByteBuffer& results)
+           [this](const std::vector<CodingTask>& mine, std::vector<CodingResult>& results)
            { return this->Try([&] { return this->Make(mine, results); }); },
-           [this](ByteBuffer& results)
+           [this](const std::vector<CodingResult>& results)
            { return this->Try([&] { return this->Take(results); }); }) &&
     this->NoteTasks(tasks);
 }
@@ -515,7 +515,8 @@ void EncodeSession::Follow()
 {
   const PipelineWatch watch(
     this->Job.Connection, [this](vtkAlgorithm*) { return this->Peers.Serve(); });
-  this->Peers.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
+  this->Peers.Follow(
+    [this](const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
     { return this->Try([&] { return this->Make(tasks, results); }); });
   if (this->Peers.IsStopped())
   {
@@ -541,7 +542,7 @@ int EncodeSession::GetGroupsAtOnce() const
   return std::max(1, std::min(GroupsPerThread * threads, fitting));
 }
 
-bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& results)
+bool EncodeSession::Make(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
 {
   std::vector<ViewpointSamples> slices;
   std::vector<GroupParts> parts;
@@ -558,14 +559,23 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   this->TasksAtWork = 0;
-  const GroupParts* next = parts.data();
+  auto next = parts.begin();
   for (const CodingTask& task : tasks)
   {
-    this->Pack(task, next, results);
-    next += task.Factors.size();
-    if (!task.IsTrial)
+    CodingResult& result = results.emplace_back();
+    result.Group = task.Group;
+    for (double factor : task.Factors)
     {
-      this->Cached->Drop(task.Group);
+      if (task.IsTrial)
+      {
+        result.Trials.emplace_back(factor, this->Writer->GetCost(*next));
+      }
+      else
+      {
+        result.Parts = std::move(*next);
+        this->Cached->Drop(task.Group);
+      }
+      ++next;
     }
   }
   return true;
@@ -614,47 +624,28 @@ bool EncodeSession::Gather(
   return true;
 }
 
-void EncodeSession::Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const
+bool EncodeSession::Take(const std::vector<CodingResult>& results)
 {
-  results.Put(static_cast<std::uint32_t>(task.Group));
-  results.Put(task.IsTrial ? static_cast<std::uint32_t>(task.Factors.size()) : 0u);
-  if (!task.IsTrial)
+  if (results.empty())
   {
-    for (const CodedGroup& part : *parts)
-    {
-      results.Put(this->Writer->Pack(part));
-    }
-    return;
+    return this->FailWriting(
+      vtkErrorCode::UnknownError, "a coded group was damaged during transfer");
   }
-  for (double factor : task.Factors)
+  std::string error;
+  for (const CodingResult& result : results)
   {
-    const GroupCost cost = this->Writer->GetCost(*parts++);
-    for (double number : { factor, cost.Bytes, cost.CoverageBytes, cost.SquaredError })
+    for (const auto& [factor, cost] : result.Trials)
     {
-      results.Put(number);
+      this->Control->AddTrial(result.Group, factor, cost);
     }
-    results.Put(cost.CoveredFully ? 1u : 0u);
-  }
-}
-
-bool EncodeSession::Take(ByteBuffer& results)
-{
-  for (std::uint32_t group = 0; results.Take(group);)
-  {
-    std::uint32_t trials = 0;
-    bool good = results.Take(trials);
-    for (std::uint32_t trial = 0; good && trial < trials; ++trial)
+    if (!result.Parts.empty() && !this->Writer->StoreGroup(result.Group, result.Parts, error))
     {
-      good = this->TakeTrial(static_cast<int>(group), results);
-    }
-    if (!good || (trials == 0 && !this->TakeGroup(static_cast<int>(group), results)))
-    {
-      return this->FailWriting(
-        vtkErrorCode::UnknownError, "a coded group was damaged during transfer");
+      std::string lack;
+      error += this->Writer->HasRoom(lack) ? "" : "; " + lack;
+      return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
     }
   }
   // The first groups show about how much space all will take.
-  std::string error;
   const bool isFirst = !this->HasCheckedRoom && this->Writer->CountStored() > 0;
   this->HasCheckedRoom = this->HasCheckedRoom || isFirst;
   if (isFirst && !this->Writer->HasRoom(error))
@@ -682,42 +673,6 @@ void EncodeSession::WritePreview()
   }
   const Clock::time_point end = Clock::now();
   this->NextPreview = end + SecondsPerPreviewSecond * (end - start);
-}
-
-bool EncodeSession::TakeTrial(int group, ByteBuffer& results)
-{
-  double factor = 0.0;
-  GroupCost cost;
-  std::uint32_t covered = 0;
-  const bool good = results.Take(factor) && results.Take(cost.Bytes) &&
-    results.Take(cost.CoverageBytes) && results.Take(cost.SquaredError) && results.Take(covered);
-  if (good)
-  {
-    cost.CoveredFully = covered != 0;
-    this->Control->AddTrial(group, factor, cost);
-  }
-  return good;
-}
-
-bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
-{
-  GroupParts parts(this->Writer->GetTrackCount());
-  for (CodedGroup& part : parts)
-  {
-    std::vector<std::uint8_t> bytes;
-    if (!results.Take(bytes) || !this->Writer->Unpack(std::move(bytes), part))
-    {
-      return false;
-    }
-  }
-  std::string error;
-  if (!this->Writer->StoreGroup(group, parts, error))
-  {
-    std::string lack;
-    error += this->Writer->HasRoom(lack) ? "" : "; " + lack;
-    return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
-  }
-  return true;
 }
 
 double EncodeSession::GetShareAt(double ofTasks) const

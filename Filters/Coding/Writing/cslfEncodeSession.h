@@ -131,12 +131,9 @@ private:
 
   int CountSlicesThatFit() const;
   int GetGroupsAtOnce() const;
-  bool Make(const std::vector<CodingTask>& tasks, ByteBuffer& results);
+  bool Make(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results);
   bool Gather(const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices);
-  void Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const;
-  bool Take(ByteBuffer& results);
-  bool TakeTrial(int group, ByteBuffer& results);
-  bool TakeGroup(int group, ByteBuffer& results);
+  bool Take(const std::vector<CodingResult>& results);
   void WritePreview();
 
   /// The share of coding that is done, with a part of the tasks that are being done.

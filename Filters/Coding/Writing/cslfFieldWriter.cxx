@@ -85,7 +85,6 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample, const Ge
   }
   this->States.assign(this->Header.Tracks.size(), TrackState());
   this->Manifest = this->MakeManifest(sample, plan);
-  this->ManifestNumber = NumberManifest(this->Manifest);
 }
 
 std::string FieldWriter::MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const
@@ -297,16 +296,6 @@ void FieldWriter::DropFullCoverage()
       return;
     }
   }
-}
-
-std::vector<std::uint8_t> FieldWriter::Pack(const CodedGroup& part) const
-{
-  return PackPart(part, this->ManifestNumber);
-}
-
-bool FieldWriter::Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const
-{
-  return UnpackPart(std::move(bytes), this->ManifestNumber, part);
 }
 
 double FieldWriter::GetStoredBytes() const

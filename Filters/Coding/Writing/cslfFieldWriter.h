@@ -58,12 +58,6 @@ public:
   /// A text of all that the parts depend on.
   const std::string& GetManifest() const { return this->Manifest; }
 
-  ///@{
-  /// Converts a group's parts to bytes for messages. Both sides have the same manifest.
-  std::vector<std::uint8_t> Pack(const CodedGroup& part) const;
-  bool Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const;
-  ///@}
-
   /// Makes the folder of parts, or takes over that of a killed run, before anything is known of the
   /// field. On failure returns false and gives the reason.
   bool ReserveParts(bool restart, std::string& error)
@@ -161,7 +155,6 @@ private:
   std::vector<TrackState> States; ///< one for each of the header's tracks
   int Delay = 0; ///< the maximum number of frames by which decoding runs ahead of presentation
   std::string Manifest;
-  std::uint32_t ManifestNumber = 0;
   bool HasParts = false;
   std::vector<GroupCost> Costs; ///< of each group that is stored
 };

@@ -18,9 +18,6 @@
 
 namespace cslf
 {
-/// A group's part of each track.
-using GroupParts = std::vector<CodedGroup>;
-
 class GroupCoder
 {
 public:
