@@ -18,17 +18,16 @@ set(cslf_vtk_components
 # The tool and the tests.
 if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components
-    ChartsCore
     CommonColor CommonMisc
     FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
     IOGeometry IOImage IOLegacy IOPLY IOXMLParser
-    RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
-    ViewsContext2D)
+    RenderingAnnotation RenderingFreeType RenderingUI)
 endif ()
 if (CSLF_BUILD_TESTING AND NOT CSLF_BUILD_PARAVIEW_PLUGIN)
-  list(APPEND cslf_vtk_components TestingCore TestingRendering)
+  list(APPEND cslf_vtk_components
+    ChartsCore RenderingContextOpenGL2 TestingCore TestingRendering ViewsContext2D)
 endif ()
 if (CSLF_WRAP_PYTHON)
   list(APPEND cslf_vtk_components WrappingPythonCore WrappingTools)

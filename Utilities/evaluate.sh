@@ -23,7 +23,7 @@ case " $* " in
   *" cycles "* | "  " | " --quick ") packages+=(python3-numpy python3-openimageio blender) ;;
 esac
 cslf_install "${cslf_packages[@]}" "${packages[@]}"
-cslf_build cslf vtkCSLFPython
+cslf_build cslf cslf-lab vtkCSLFPython
 exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   /usr/bin/python3 "$source/Utilities/evaluation/evaluate.py" --source "$source" \
   --build "$build" "$@"

@@ -36,7 +36,7 @@ struct Item
   bool TakesFolder() const { return this->Placeholder == FolderPlaceholder; }
 };
 
-/// A command with its path, such as "cslf benchmark render".
+/// A command with its path, such as "cslf render".
 struct Level
 {
   std::string Path;

@@ -32,9 +32,11 @@ namespace cslf::tool
 {
 namespace
 {
+std::string programName = "cslf";
+
 void PrintLine(const char* kind, const std::string& text)
 {
-  std::fprintf(stderr, "cslf: %s: %s\n", kind, MakePrintable(text).c_str());
+  std::fprintf(stderr, "%s: %s: %s\n", programName.c_str(), kind, MakePrintable(text).c_str());
 }
 
 /// The message of VTK's macros without file, line and object, in one line.
@@ -190,6 +192,11 @@ struct Bar
 };
 }
 
+void SetProgramName(const std::string& name)
+{
+  programName = name;
+}
+
 void CatchMessages()
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
@@ -283,7 +290,7 @@ void PrintNote(const std::string& text)
 {
   if (IsErrorTerminal())
   {
-    std::fprintf(stderr, "\r\033[Kcslf: %s\n", MakePrintable(text).c_str());
+    std::fprintf(stderr, "\r\033[K%s: %s\n", programName.c_str(), MakePrintable(text).c_str());
   }
 }
 

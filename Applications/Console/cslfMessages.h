@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool's messages on standard error: one line per error, one line per warning, and a progress
+ * A program's messages on standard error: one line per error, one line per warning, and a progress
  * bar if it is a terminal.
  */
 #ifndef cslfMessages_h
@@ -29,6 +29,9 @@ struct MissingViewpoints : Failure
 {
   using Failure::Failure;
 };
+
+/// Sets the name of the program, which its messages begin with. By default, it is "cslf".
+void SetProgramName(const std::string& name);
 
 /// Catches VTK's messages from now on, and keeps them.
 void CatchMessages();

@@ -238,8 +238,8 @@ FieldFile OpenField(const FieldInput& input)
       throw MissingViewpoints(input.FileName + " is " +
         (IsUnfinished(file) ? "unfinished" : "damaged") + ": " + std::to_string(missing) + " of " +
         std::to_string(slices) +
-        " viewpoints are missing (all commands except benchmark continue without them if "
-        "--allow-missing is given).");
+        " viewpoints are missing (all commands of cslf continue without them if --allow-missing is "
+        "given).");
     }
     return file;
   }

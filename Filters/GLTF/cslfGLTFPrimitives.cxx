@@ -363,7 +363,7 @@ private:
 };
 
 /// The positions as floats, as in most files, or converted from integers.
-vtkSmartPointer<vtkPoints> MakePoints(const GLTFNumbers& positions)
+vtkSmartPointer<vtkPoints> ToPoints(const GLTFNumbers& positions)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToFloat();
@@ -444,7 +444,7 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
     attributes["POSITION"].Fail("is not a list of 3D points");
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(MakePoints(positions));
+  data->SetPoints(ToPoints(positions));
   Indices indices(positions.GetCount());
   std::iota(indices.begin(), indices.end(), 0u);
   if (const std::optional<std::size_t> accessor = primitive["indices"].GetIndex())

@@ -67,7 +67,7 @@ endforeach ()
 foreach (file IN ITEMS bash-completion/completions/cslf zsh/vendor-completions/_cslf
     fish/vendor_completions.d/cslf.fish)
   file(READ "${prefix}/share/${file}" output)
-  expect("evaluate-texels")
+  expect("evaluate")
 endforeach ()
 run("${CMAKE_COMMAND}" -E env --unset=LD_LIBRARY_PATH "${prefix}/bin/cslf" sample cornell-box
   -M 2 -N 16 --spp 1 -o box.vti)

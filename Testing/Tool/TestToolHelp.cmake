@@ -1,76 +1,79 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The help of all commands, and their completion in shells.
+# The help of all commands of cslf and cslf-lab, and the completion of cslf in shells.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-# Checks a command's help: in plain words, in lines of at most 80 characters, with examples that the
-# parser accepts. Sets `help`, and `below` to
-# the commands below it.
-function (check_help command)
-  string(REPLACE " " ";" words "${command}")
+set(tool_cslf "${CSLF}")
+set(tool_cslf-lab "${LAB}")
+
+# Checks the help of a program, or of one of its commands: in plain words, in lines of at most 80
+# characters, with examples that the parser accepts. Sets `help`.
+function (check_help program command)
   execute_process(
-    COMMAND "${CSLF}" ${words} --help
+    COMMAND "${tool_${program}}" ${command} --help
     OUTPUT_VARIABLE help
     RESULT_VARIABLE result)
   if (NOT result STREQUAL "0" OR help MATCHES "INT|FLOAT|{false}| in \\[[0-9.e+-]+ - |POSITIVE|>=|\\(\\)|;[ \n]*\\)|\n\n\n")
-    message(FATAL_ERROR "The help of cslf ${command} has signs of the parser:\n${help}")
+    message(FATAL_ERROR "The help of ${program} ${command} has signs of the parser:\n${help}")
   endif ()
+  string(REPEAT "[^\n]" 81 long_line)
   string(REGEX MATCH "${long_line}" long "${help}")
   if (long)
-    message(FATAL_ERROR "The help of cslf ${command} has a line of more than 80 characters: ${long}")
+    message(FATAL_ERROR "The help of ${program} ${command} has a line of more than 80 characters: ${long}")
   endif ()
-  if (NOT help MATCHES "\nExamples?:\n  cslf" AND NOT help MATCHES "\nExamples:\n  source")
-    message(FATAL_ERROR "The help of cslf ${command} has no example:\n${help}")
+  if (NOT help MATCHES "\nExamples?:\n  ${program} " AND NOT help MATCHES "\nExamples:\n  source")
+    message(FATAL_ERROR "The help of ${program} ${command} has no example:\n${help}")
   endif ()
   # All arguments are right up to the last, which is unknown.
-  string(REGEX MATCHALL "\n  cslf [^\n|]+" examples "${help}")
+  string(REGEX MATCHALL "\n  ${program} [^\n|]+" examples "${help}")
   foreach (example IN LISTS examples)
-    string(REGEX REPLACE "^\n  cslf | \\| .*" "" example "${example}")
+    string(REGEX REPLACE "^\n  ${program} | \\| .*" "" example "${example}")
     separate_arguments(arguments UNIX_COMMAND "${example}")
     execute_process(
-      COMMAND "${CSLF}" ${arguments} --unknown-option
+      COMMAND "${tool_${program}}" ${arguments} --unknown-option
       WORKING_DIRECTORY "${DIRECTORY}"
       ERROR_VARIABLE error)
-    if (NOT error MATCHES "^cslf: error: [^\n]*not expected: --unknown-option\n$")
-      message(FATAL_ERROR "The example cslf ${example} is wrong: ${error}")
+    if (NOT error MATCHES "^${program}: error: [^\n]*not expected: --unknown-option\n$")
+      message(FATAL_ERROR "The example ${program} ${example} is wrong: ${error}")
     endif ()
   endforeach ()
-  set(below "")
-  if (help MATCHES "\nCommands:\n(.*)\nExample")
-    string(REGEX MATCHALL "(^|\n)  [a-z-]+" below "${CMAKE_MATCH_1}")
-    list(TRANSFORM below STRIP)
-  endif ()
-  set(below "${below}" PARENT_SCOPE)
   set(help "${help}" PARENT_SCOPE)
 endfunction ()
 
-string(REPEAT "[^\n]" 81 long_line)
-check_help("")
-set(commands "${below}")
-list(LENGTH commands count)
-if (count LESS 15)
-  message(FATAL_ERROR "There are only ${count} commands: ${commands}")
-endif ()
-foreach (command IN LISTS commands)
-  check_help("${command}")
-  foreach (nested IN LISTS below)
-    check_help("${command} ${nested}")
+# Checks the help of a program and of all its commands, of which there must be so many.
+function (check_program program expected)
+  check_help(${program} "")
+  string(REGEX MATCH "\nCommands:\n(.*)\nExample" list "${help}")
+  string(REGEX MATCHALL "(^|\n)  [a-z-]+" commands "${CMAKE_MATCH_1}")
+  list(TRANSFORM commands STRIP)
+  list(LENGTH commands count)
+  if (NOT count EQUAL expected)
+    message(FATAL_ERROR "There are ${count} commands, not ${expected}: ${commands}")
+  endif ()
+  foreach (command IN LISTS commands)
+    check_help(${program} "${command}")
   endforeach ()
-endforeach ()
-# Without a command, the help is an error. Other ways to ask for it.
-foreach (command IN ITEMS "" benchmark)
-  cslf_run(help ${command})
+  # Without a command, the help is an error. Other ways to ask for it.
+  set(CSLF "${tool_${program}}")
+  cslf_run(help)
   execute_process(
-    COMMAND "${CSLF}" ${command}
+    COMMAND "${CSLF}"
     RESULT_VARIABLE result
     OUTPUT_VARIABLE nothing
     ERROR_VARIABLE error)
   if (NOT result STREQUAL "1" OR nothing OR NOT error STREQUAL output)
-    message(FATAL_ERROR "cslf ${command} ended with ${result}: ${nothing}${error}")
+    message(FATAL_ERROR "${program} ended with ${result}: ${nothing}${error}")
   endif ()
-endforeach ()
-check_help(sample)
+endfunction ()
+
+check_program(cslf 14)
+if (HAS_ENCODER)
+  check_program(cslf-lab 6)
+else ()
+  check_program(cslf-lab 4)
+endif ()
+check_help(cslf sample)
 cslf_run(help sample)
 if (NOT output STREQUAL help)
   message(FATAL_ERROR "cslf help sample is not cslf sample --help:\n${output}")
@@ -99,11 +102,10 @@ file(WRITE "${DIRECTORY}/field.mp4" "")
 file(MAKE_DIRECTORY "${DIRECTORY}/folder")
 set(lines
   "cslf res|resample"
-  "cslf benchmark s|sampler"
   "cslf sample --qual|--quality"
   "cslf sample --quality |best good preview"
   "cslf sample --codec h|h264 hevc"
-  "cslf benchmark render --lookups b|bilinear"
+  "cslf evaluate --lookups b|bilinear"
   "cslf sample cornell|cornell-box"
   "cslf view field.mp4 --no-|"
   "cslf completion |bash fish zsh"

@@ -26,7 +26,7 @@ expect_json(30.0 scenes 1 bounds 5)
 expect_json(20000 scenes 3 instances)
 cslf_run(sample glyphs -o glyphs.vti -M 2 -N 8 --spp 1 --max-depth 1 --integrator path
   --geometry-triangles 0)
-cslf_run(evaluate-texels glyphs.vti glyphs --texels 100 --reference-spp 64)
+lab_run(evaluate-texels glyphs.vti glyphs --texels 100 --reference-spp 64)
 cslf_run(trace pipes terrain -o scenes.png ${view} --roughness 0.5)
 
 # One square in four formats gives one picture.

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Common functions for tests of the cslf tool. They are run with -DCSLF=<tool> -DDATA=<folder of
-# test data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec, if there is one>
-# -DHAS_ENCODER=<whether the tool has the video encoder> -DDIRECTORY=<folder to work in>, which is
-# emptied first.
+# Common functions for tests of the tools cslf and cslf-lab. They are run with -DCSLF=<cslf>
+# -DLAB=<cslf-lab> -DDATA=<folder of test data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec,
+# if there is one> -DHAS_ENCODER=<whether the tools have the video encoder> -DDIRECTORY=<folder to
+# work in>, which is emptied first.
 cmake_policy(VERSION 3.22)
 file(REMOVE_RECURSE "${DIRECTORY}")
 file(MAKE_DIRECTORY "${DIRECTORY}")
@@ -54,7 +54,7 @@ function (cslf_end code pattern output)
   if (NOT result STREQUAL "${code}")
     message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}, not ${code}: ${error}")
   endif ()
-  if (NOT error MATCHES "^cslf: error: [^\n]+\n$" OR NOT error MATCHES "${pattern}")
+  if (NOT error MATCHES "^cslf(-lab)?: error: [^\n]+\n$" OR NOT error MATCHES "${pattern}")
     message(FATAL_ERROR "cslf ${ARGN}\nsaid: ${error}")
   endif ()
   if (output)
@@ -70,7 +70,21 @@ function (cslf_fail pattern output)
   cslf_end(1 "${pattern}" "${output}" ${ARGN})
 endfunction ()
 
-# Checks a value in the JSON that the last cslf_run printed: expect_json(expected key...)
+# The same for cslf-lab.
+function (lab_run)
+  set(CSLF "${LAB}")
+  cslf_run(${ARGN})
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+function (lab_end code pattern output)
+  set(CSLF "${LAB}")
+  cslf_end("${code}" "${pattern}" "${output}" ${ARGN})
+endfunction ()
+function (lab_fail pattern output)
+  lab_end(1 "${pattern}" "${output}" ${ARGN})
+endfunction ()
+
+# Checks a value in the JSON that the last run printed: expect_json(expected key...)
 function (expect_json expected)
   string(JSON actual ERROR_VARIABLE error GET "${output}" ${ARGN})
   if (error OR NOT actual STREQUAL "${expected}")

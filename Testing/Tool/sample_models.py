@@ -40,6 +40,8 @@ def parse_arguments():
                         help="seconds of processor time that a run may take (default: 20)")
     parser.add_argument("--exclude", action="append", default=[],
                         help="leave out models with this in their path")
+    parser.add_argument("--every", type=int, default=1, metavar="N",
+                        help="sample only every N-th model (default: 1)")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time (default: 1)")
     arguments = sys.argv[1:]
     split = arguments.index("--") if "--" in arguments else len(arguments)
@@ -127,7 +129,7 @@ def main():
     """Prints the table."""
     options = parse_arguments()
     models = [(folder, path) for folder, path in find_models(options.folder)
-              if not any(word in str(path) for word in options.exclude)]
+              if not any(word in str(path) for word in options.exclude)][::options.every]
     if not models:
         print("There are no models: they are not installed.")
         return SKIPPED

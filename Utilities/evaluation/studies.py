@@ -96,8 +96,8 @@ class Studies:
             coded = {kind: self.measure_coded(scene, field, kind, *options)
                      for kind, options in (("coded", ()),
                                            ("with-depth", ("--no-depth-from-geometry",)))}
-            drawn = self.tool.measure(
-                f"corpus-{scene}-drawn", "benchmark", "render", field, "--scene",
+            drawn = self.tool.measure_in_lab(
+                f"corpus-{scene}-drawn", "render", field, "--scene",
                 *self.get_inputs(scene), "-o", self.tool.work / f"corpus-{scene}", "--frames",
                 self.setting.frames // 3, "--size", self.setting.size, "--views", 3, "--spp", 128,
                 "--lookups", "depth,geometry", *self.truth)
@@ -124,7 +124,7 @@ class Studies:
         field = self.tool.measure(
             f"corpus-{scene}-{quality}", "sample", *inputs, "-M", viewpoints, "-N",
             self.setting.resolution(128), "--quality", quality, "-o", file, output=file)
-        measured = self.tool.measure(
+        measured = self.tool.measure_in_lab(
             f"corpus-{scene}-{quality}-texels", "evaluate-texels", file, *inputs, "--texels",
             texels, "--reference-spp", samples)
         return {"sampled": field, "measured": measured}
@@ -201,8 +201,8 @@ class Studies:
             field = self.sample(scene, setting.key_viewpoints, setting.fine_resolution())[0]
             folder = self.tool.work / f"key-views-{scene}"
             shutil.rmtree(folder, ignore_errors=True)  # may be left by an interrupted run
-            found[scene] = self.tool.measure(
-                f"key-views-{scene}", "benchmark", "key-views", field, *inputs, "-o", folder,
+            found[scene] = self.tool.measure_in_lab(
+                f"key-views-{scene}", "key-views", field, *inputs, "-o", folder,
                 "--preset", setting.preset, "--crfs", setting.crfs, "--depth-crfs",
                 setting.depth_crfs, "--steps", "2,4", "--divisors", "1,2", "--views", setting.views,
                 "--size", setting.size, "--spp", setting.spp, *self.truth)
@@ -215,16 +215,16 @@ class Studies:
         for m, n in ((9, n), (17, n), (40, n), (9, 2 * n), (9, n // 2)):
             field = self.sample("cornell-box", m, n)[0]
             folder = self.tool.work / f"render-{m}x{n}"
-            found = self.tool.measure(
-                f"render-cornell-box-{m}x{n}", "benchmark", "render", field, "-o", folder,
+            found = self.tool.measure_in_lab(
+                f"render-cornell-box-{m}x{n}", "render", field, "-o", folder,
                 "--scene", "cornell-box", "--frames", self.setting.frames, "--size", 512,
                 "--views", 1, "--spp", 2, "--lookups", "bilinear,focal,depth")
             rows.append({"viewpoints": m, "resolution": n, "found": found})
         meshes = []
         field = self.sample("dragon", 9, self.setting.resolution(128))[0]
         for mesh, triangles in self.make_meshes():
-            found = self.tool.measure(
-                f"render-dragon-{triangles}", "benchmark", "render", field, "-o",
+            found = self.tool.measure_in_lab(
+                f"render-dragon-{triangles}", "render", field, "-o",
                 self.tool.work / f"render-dragon-{triangles}", "--frames", self.setting.frames,
                 "--size", 512, "--mesh", mesh, "--lookups", "bilinear,depth")
             meshes.append({"triangles": triangles, "found": found})
@@ -252,8 +252,8 @@ class Studies:
     # Quality against time of path tracing and cached radiance.
     def integrators(self):
         setting = self.setting
-        return {scene: self.tool.measure(
-            f"integrators-{scene}", "benchmark", "sampler", *inputs, "-M", 17, "-N", 128,
+        return {scene: self.tool.measure_in_lab(
+            f"integrators-{scene}", "sampler", *inputs, "-M", 17, "-N", 128,
             "--reference-spp", setting.reference_spp, "--path-spp", "4,16,64", "--views", 12,
             "--texels", 100000 // setting.divisor ** 2, *QUALITY)
             for scene, inputs in self.compared.items()}

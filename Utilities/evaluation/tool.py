@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the cslf tool and keeps its results, so that nothing is measured twice."""
+"""Runs the tools cslf and cslf-lab and keeps their results, so that nothing is measured twice."""
 import json
 import os
 import subprocess
@@ -10,7 +10,8 @@ from pathlib import Path
 
 
 class Tool:
-    """The tool, a folder for fields (which may be large) and a folder for results."""
+    """The tool, with cslf-lab beside it, a folder for fields (which may be large) and a folder for
+    results."""
 
     def __init__(self, program, work, folder):
         self.program = program
@@ -25,6 +26,11 @@ class Tool:
         that it makes: if it is missing, the command runs again."""
         command = [self.program, *map(str, arguments), "--json"]
         return self.keep(name, lambda: run_measured(command), output)
+
+    def measure_in_lab(self, name, *arguments):
+        """Returns the same for a command of cslf-lab."""
+        command = [self.program + "-lab", *map(str, arguments), "--json"]
+        return self.keep(name, lambda: run_measured(command))
 
     def keep(self, name, measure, output=None):
         """Returns the result of `measure`, with seconds_of_run. The result is kept and used again

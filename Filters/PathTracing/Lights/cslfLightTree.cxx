@@ -22,7 +22,7 @@ constexpr int BinCount = 16;
 // The most lights that may share a leaf, and the largest cost of a useful split, relative to that
 // of a leaf.
 constexpr std::size_t MostInLeaf = 4;
-constexpr double LeastGain = 0.8;
+constexpr double LeastSplitGain = 0.8;
 
 // The least squared distance that counts, in scene space.
 constexpr float LeastDistance2 = 1e-12f;
@@ -237,7 +237,7 @@ std::size_t LightTree::Split(std::vector<Item>& items, const Range& range)
       bestSplit = split;
     }
   }
-  if (end - begin <= MostInLeaf && best >= LeastGain * GetCost(range.Bounds))
+  if (end - begin <= MostInLeaf && best >= LeastSplitGain * GetCost(range.Bounds))
   {
     return end;
   }

@@ -35,7 +35,8 @@ constexpr float StraightCosine = 0.5f;
 constexpr float ShortestBack = 0.25f;
 constexpr float LeastLength = 1e-30f;
 
-float LargestComponent(const glm::vec3& difference)
+/// The largest component's size.
+float LargestSize(const glm::vec3& difference)
 {
   const glm::vec3 size = glm::abs(difference);
   return std::max({ size.x, size.y, size.z });
@@ -118,7 +119,7 @@ bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int s
   }
   const glm::vec3 color = this->World.GetBaseColor(this->Points[point].Place);
   const glm::vec3 seen = this->Settings.Display(interpolated, color);
-  const float error = LargestComponent(this->Settings.Display(here.Pilot, color) - seen);
+  const float error = LargestSize(this->Settings.Display(here.Pilot, color) - seen);
   if (error <= this->Settings.Tolerance)
   {
     return false;
@@ -140,8 +141,7 @@ bool LatticeBuilder::VariesWithin(const Patch& patch) const
     {
       const HalfEstimate& pilot = this->GetPilot(patch, index);
       const bool varies = pilot.Reach < size ||
-        LargestComponent(this->Settings.Display(pilot.Pilot, color) - seen) >
-          this->Settings.Tolerance;
+        LargestSize(this->Settings.Display(pilot.Pilot, color) - seen) > this->Settings.Tolerance;
       return (isCoarse && varies) ||
         this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size);
     });
@@ -190,7 +190,7 @@ bool LatticeBuilder::BendsWithin(const Patch& patch) const
     const glm::vec3 mean = 0.5f * (pilot.Pilot + other.Pilot);
     const glm::vec3 color = this->World.GetBaseColor(this->Points[here].Place);
     const glm::vec3 seen = this->Settings.Display(mean, color);
-    const float error = LargestComponent(this->Settings.Display(mean + bend, color) - seen);
+    const float error = LargestSize(this->Settings.Display(mean + bend, color) - seen);
     const float noise =
       GetDisplayedError(this->Settings.Display, mean, SureErrors * glm::sqrt(variance), color);
     if (error > this->Settings.Tolerance + noise)

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfBenchmarkOptions.h"
+
+// cslf-lab: measures parts of CSLF, with one command per part.
+#include "cslfLab.h"
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
@@ -79,5 +81,20 @@ std::string BenchmarkOptions::DescribeNoise(double noiseFloor)
 {
   return "\nNoise floor of the novel views' reference: " + Format(noiseFloor, 2) + " dB.\n";
 }
+}
 
+int main(int argc, char* argv[])
+{
+  using namespace cslf::tool;
+  Program program;
+  program.Name = "cslf-lab";
+  program.Description = "Measure quality and speed of cube surface light fields";
+  program.Footer = MakeFooter(
+    { "cslf-lab render box.mp4 -o bench" }, "\"cslf-lab COMMAND --help\" explains a command.");
+  program.Commands = { AddBenchmarkRender, AddBenchmarkOpening, AddBenchmarkSampler,
+    AddEvaluateTexels };
+#ifdef CSLF_HAS_ENCODER
+  program.Commands.insert(program.Commands.end(), { AddBenchmarkCodec, AddBenchmarkKeyViews });
+#endif
+  return RunProgram(program, argc, argv);
 }

@@ -6,7 +6,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(light --max-depth 2)
 cslf_run(sample cornell-box -o box.vti -M 3 -N 32 --spp 4 ${light})
-cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --depth-crfs 12,40
+lab_run(key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --depth-crfs 12,40
   --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
 foreach (series IN ITEMS 0 1 2)
   expect_json_at_least(5 series ${series} uncoded_psnr)
@@ -40,7 +40,7 @@ if (EXISTS "${DIRECTORY}/keys/coded.mp4")
   message(FATAL_ERROR "A video is left.")
 endif ()
 # Fewer texels, and two rate factors of depth.
-cslf_run(benchmark key-views box.vti cornell-box -o few --crfs 40 --steps 2 --divisors 2
+lab_run(key-views box.vti cornell-box -o few --crfs 40 --steps 2 --divisors 2
   --depth-crfs 12,30 --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
 expect_json(16 series 1 resolution)
 expect_json(30.0 series 1 points 1 depth_crf)
@@ -50,14 +50,10 @@ if (NOT coarse LESS fine)
   message(FATAL_ERROR "Depth takes ${coarse} bytes coded coarsely, ${fine} coded finely.")
 endif ()
 string(JSON coverage GET "${output}" series 1 points 1 tracks coverage)
-cslf_run(benchmark key-views box.vti cornell-box -o coarse --crfs 40 --steps 2 --divisors 2
+lab_run(key-views box.vti cornell-box -o coarse --crfs 40 --steps 2 --divisors 2
   --depth-crfs 30 --coverage-crf 50 --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
 expect_json(50.0 coverage_crf)
 string(JSON coarse GET "${output}" series 1 points 0 tracks coverage)
 if (NOT coarse LESS coverage)
   message(FATAL_ERROR "Coverage takes ${coarse} bytes coded coarsely, ${coverage} coded finely.")
 endif ()
-cslf_fail("does not divide" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 3)
-cslf_fail("16 or more" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 2
-  --divisors 4)
-cslf_fail("need the scene" "keys3" benchmark key-views box.vti -o keys3)

@@ -4,8 +4,8 @@
 
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
+#include "Measurements/cslfStatistics.h"
 #include "cslfSeconds.h"
-#include "cslfStatistics.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"

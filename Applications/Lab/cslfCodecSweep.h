@@ -8,9 +8,9 @@
 #define cslfCodecSweep_h
 
 #include "Fields/cslfFieldFiles.h"
+#include "Measurements/cslfNovelViews.h"
 #include "Pictures/cslfPictures.h"
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfNovelViews.h"
 
 #include <map>
 #include <string>
@@ -19,6 +19,13 @@
 
 namespace cslf::tool
 {
+/// The size and the quality that curves of quality against size are made of.
+struct RatePoint
+{
+  double Bytes = 0.0;
+  double PSNR = 0.0; ///< in dB
+};
+
 /// The results of one way of coding.
 struct CodecPoint
 {

@@ -2,24 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The common options of benchmarks of a light field: the field, perhaps its scene for novel views,
- * and the folder for the results.
+ * The commands of cslf-lab, which measure CSLF for its developers, and the common options of those
+ * that measure a light field: the field, perhaps its scene for novel views, and the folder for the
+ * results.
  */
-#ifndef cslfBenchmarkOptions_h
-#define cslfBenchmarkOptions_h
+#ifndef cslfLab_h
+#define cslfLab_h
 
+#include "Console/cslfProgram.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Measurements/cslfNovelViews.h"
+#include "Options/cslfNovelViewOptions.h"
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfCommands.h"
 #include "cslfJSON.h"
-#include "cslfNovelViewOptions.h"
 
 #include <string>
 #include <vector>
 
 namespace cslf::tool
 {
+///@{
+/// Adds a command, as `Program` says.
+void AddBenchmarkCodec(CLI::App& app, Command& chosen);
+void AddBenchmarkKeyViews(CLI::App& app, Command& chosen);
+void AddBenchmarkOpening(CLI::App& app, Command& chosen);
+void AddBenchmarkRender(CLI::App& app, Command& chosen);
+void AddBenchmarkSampler(CLI::App& app, Command& chosen);
+void AddEvaluateTexels(CLI::App& app, Command& chosen);
+///@}
+
 /// The novel views of a measurement, and the mean of their noise floors in dB.
 struct BenchmarkViews
 {

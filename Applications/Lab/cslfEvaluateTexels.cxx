@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf evaluate-texels: compares a light field's texels with path-traced ones.
+// cslf-lab evaluate-texels: compares a light field's texels with path-traced ones.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Options/cslfNumberChecks.h"
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfCommands.h"
+#include "cslfLab.h"
 
 #include "vtkCSLFFieldReference.h"
 
@@ -76,7 +76,7 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
     "evaluate-texels", "Measure texels of a light field against path-traced texels");
-  command->footer(MakeFooter({ "cslf evaluate-texels box.mp4 cornell-box" },
+  command->footer(MakeFooter({ "cslf-lab evaluate-texels box.mp4 cornell-box" },
     "Prints the PSNR (at most 60 dB) of 8-bit red, green and blue over black, for float fields "
     "also at 1/16, 1/4, 4 and 16 times the exposure. The texels are chosen at random, evenly over "
     "all viewpoints, and path-traced in two halves with different random numbers. The noise floor "

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark sampler: the gain of radiance caching over path tracing at equal quality.
+// cslf-lab sampler: the gain of radiance caching over path tracing at equal quality.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Options/cslfIntegratorOptions.h"
 #include "Options/cslfTableOptions.h"
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfCommands.h"
+#include "cslfLab.h"
 
 #include "vtkCSLFFieldReference.h"
 #include "vtkCSLFSampler.h"
@@ -254,14 +254,14 @@ Result Run(Options options)
 }
 }
 
-void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
+void AddBenchmarkSampler(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
-    benchmark.add_subcommand("sampler", "Compare an integrator with path tracing at equal quality");
-  command->footer(MakeFooter({ "cslf benchmark sampler cornell-box -M 9 -N 128" },
+    app.add_subcommand("sampler", "Compare an integrator with path tracing at equal quality");
+  command->footer(MakeFooter({ "cslf-lab sampler cornell-box -M 9 -N 128" },
     "Samples some viewpoints of a field with the options under \"Light transport\", "
     "by default with radiance caching, and by path tracing with several numbers of "
-    "samples. PSNR is that of random texels, as in cslf evaluate-texels. The time "
+    "samples. PSNR is that of random texels, as in cslf-lab evaluate-texels. The time "
     "for the whole field is that of the cache plus the rendering time extrapolated "
     "from the measured viewpoints. The time that path tracing needs for the quality "
     "of the other integrator is interpolated or extrapolated from its measurements."));

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark opening: the time from opening a file to its first picture.
+// cslf-lab opening: the time from opening a file to its first picture.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
-#include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfCameraOptions.h"
 #include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfOffscreenWindow.h"
 #include "Pictures/cslfPictures.h"
+#include "cslfLab.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -214,11 +214,11 @@ Result Run(const Options& options)
 }
 }
 
-void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
+void AddBenchmarkOpening(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = benchmark.add_subcommand(
+  CLI::App* command = app.add_subcommand(
     "opening", "Measure the time from opening a light field to the first picture");
-  command->footer(MakeFooter({ "cslf benchmark opening box.mp4 -o bench --repeats 10" },
+  command->footer(MakeFooter({ "cslf-lab opening box.mp4 -o bench --repeats 10" },
     "Writes opening.md, opening.json and the first picture into the folder. Each repetition "
     "creates and clears a new window, opens the file and draws a picture from its coarsest "
     "viewpoints, as vtkCSLFMapper does with Streaming. Times are wall-clock milliseconds and CPU "

@@ -1,24 +1,33 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark render: the speed, memory and quality of each lookup.
+// cslf-lab render: the speed, memory and quality of each lookup.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
-#include "Measurements/cslfMeshRenderer.h"
 #include "Measurements/cslfStatistics.h"
-#include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfCameraOptions.h"
 #include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfCameraPath.h"
-#include "Pictures/cslfChart.h"
+#include "Pictures/cslfOffscreenWindow.h"
 #include "Pictures/cslfPictures.h"
+#include "Pipeline/cslfTriangleList.h"
+#include "Scenes/cslfSceneFiles.h"
+#include "cslfChart.h"
+#include "cslfCube.h"
+#include "cslfLab.h"
 #include "cslfSeconds.h"
 
+#include <vtkActor.h>
 #include <vtkAlgorithm.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkImageStencilData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSmartPointer.h>
 
 #include <CLI/CLI.hpp>
 
@@ -37,6 +46,51 @@ struct Options : BenchmarkOptions
   std::vector<std::string> Lookups; ///< if empty, all of the field
   int Frames = 72;
   double Rate = 30.0; ///< wanted while the view moves
+};
+
+/// Draws a mesh with VTK, to compare its speed with a light field.
+class MeshRenderer
+{
+public:
+  /// The triangles of a scene's file, with VTK's defaults: a headlight, and colours if the file has
+  /// any. Throws a Failure.
+  MeshRenderer(const std::string& fileName, int width, int height)
+    : Window(width, height)
+  {
+    Scene scene;
+    scene.Parts.push_back(ReadScenePart(fileName));
+    vtkNew<vtkAppendPolyData> append;
+    scene.ForEachPolyData([&](vtkPolyData* polyData) { append->AddInputData(polyData); });
+    append->Update();
+    ThrowOnError();
+    this->Mesh = Triangulate(append->GetOutput());
+    if (this->GetNumberOfTriangles() == 0)
+    {
+      throw Failure(fileName + " has no triangles.");
+    }
+    this->Mapper->SetInputData(this->Mesh);
+    this->Actor->SetMapper(this->Mapper);
+    this->Window.AddActor(this->Actor);
+  }
+
+  /// Draws the view and returns the seconds that it took. Throws a Failure.
+  double Draw(vtkCamera* camera) { return this->Window.Draw(camera); }
+
+  vtkIdType GetNumberOfTriangles() const { return this->Mesh->GetNumberOfPolys(); }
+
+  /// The cube of a light field of the mesh.
+  Cube GetCube() const
+  {
+    double bounds[6];
+    this->Mesh->GetBounds(bounds);
+    return Cube::FromBounds(bounds, options::Offset.Default);
+  }
+
+private:
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  OffscreenWindow Window;
 };
 
 /// The results of one lookup.
@@ -344,11 +398,11 @@ Result Run(Options options)
 }
 }
 
-void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
+void AddBenchmarkRender(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = benchmark.add_subcommand(
+  CLI::App* command = app.add_subcommand(
     "render", "Measure frame rate, memory and quality of every lookup along an orbit");
-  command->footer(MakeFooter({ "cslf benchmark render box.mp4 cornell-box -o bench" },
+  command->footer(MakeFooter({ "cslf-lab render box.mp4 cornell-box -o bench" },
     "Writes render.md, render.json and plots into the folder. The camera moves once around the "
     "cube at a distance of two cube edges from the centre, or, if the scene is the Cornell box, "
     "back and forth within 35 degrees of its opening. Frame rates are those of the median frame, "

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark codec: quality against size, and speed, of a field coded in many ways.
+// cslf-lab codec: quality against size, and speed, of a field coded in many ways.
 #include "Console/cslfHelp.h"
 #include "Console/cslfTable.h"
-#include "Measurements/cslfCodecSweep.h"
-#include "Measurements/cslfRateCurves.h"
-#include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfTableOptions.h"
-#include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
+#include "cslfChart.h"
+#include "cslfCodecSweep.h"
+#include "cslfLab.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkImageData.h>
@@ -17,8 +16,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 namespace cslf::tool
 {
@@ -187,6 +190,111 @@ std::string MakeTable(const std::vector<Series>& all, const std::vector<LookupNa
   return table.ToMarkdown();
 }
 
+/// The logarithm of the bytes as a function of PSNR.
+class RateCurve
+{
+public:
+  explicit RateCurve(std::vector<RatePoint> points)
+  {
+    std::sort(points.begin(), points.end(),
+      [](const RatePoint& a, const RatePoint& b) { return a.PSNR < b.PSNR; });
+    for (const RatePoint& point : points)
+    {
+      if (point.Bytes > 0.0 && (this->X.empty() || point.PSNR > this->X.back()))
+      {
+        this->X.push_back(point.PSNR);
+        this->Y.push_back(std::log(point.Bytes));
+      }
+    }
+    if (this->IsValid())
+    {
+      this->FindSlopes();
+    }
+  }
+
+  bool IsValid() const { return this->X.size() >= 2; }
+  double GetMinimum() const { return this->X.front(); }
+  double GetMaximum() const { return this->X.back(); }
+  const std::vector<double>& GetKnots() const { return this->X; }
+
+  double Evaluate(double x) const
+  {
+    const auto above = std::upper_bound(this->X.begin() + 1, this->X.end() - 1, x);
+    const auto k = static_cast<std::size_t>(above - this->X.begin()) - 1;
+    const double width = this->X[k + 1] - this->X[k];
+    const double t = (x - this->X[k]) / width;
+    const double u = 1.0 - t;
+    return u * u * (1.0 + 2.0 * t) * this->Y[k] + t * t * (3.0 - 2.0 * t) * this->Y[k + 1] +
+      width * t * u * (u * this->Slopes[k] - t * this->Slopes[k + 1]);
+  }
+
+private:
+  /// Harmonic means of the neighbouring chords' slopes, flat where these differ in sign.
+  void FindSlopes()
+  {
+    const std::size_t last = this->X.size() - 1;
+    const auto chord = [this](std::size_t k)
+    { return (this->Y[k + 1] - this->Y[k]) / (this->X[k + 1] - this->X[k]); };
+    this->Slopes.assign(last + 1, 0.0);
+    this->Slopes[0] = chord(0);
+    this->Slopes[last] = chord(last - 1);
+    for (std::size_t k = 1; k < last; ++k)
+    {
+      const double before = this->X[k] - this->X[k - 1];
+      const double after = this->X[k + 1] - this->X[k];
+      if (chord(k - 1) * chord(k) > 0.0)
+      {
+        const double first = (before + 2.0 * after) / chord(k - 1);
+        const double second = (2.0 * before + after) / chord(k);
+        this->Slopes[k] = 3.0 * (before + after) / (first + second);
+      }
+    }
+  }
+
+  std::vector<double> X;
+  std::vector<double> Y;
+  std::vector<double> Slopes;
+};
+
+/// The Bjontegaard delta rate (ITU-T VCEG-M33): the relative difference of the tested coder's bytes
+/// from the reference's at equal PSNR, averaged over the PSNR that both reach; -0.1 is 10 % fewer.
+/// The logarithm of the bytes is interpolated over PSNR by piecewise cubics that are monotone where
+/// the points are (Fritsch and Carlson 1980). Nothing if a curve has fewer than two points or the
+/// curves share no range.
+std::optional<double> ComputeDeltaRate(
+  const std::vector<RatePoint>& reference, const std::vector<RatePoint>& tested)
+{
+  const RateCurve first(reference);
+  const RateCurve second(tested);
+  if (!first.IsValid() || !second.IsValid())
+  {
+    return std::nullopt;
+  }
+  const double low = std::max(first.GetMinimum(), second.GetMinimum());
+  const double high = std::min(first.GetMaximum(), second.GetMaximum());
+  if (!(high > low))
+  {
+    return std::nullopt;
+  }
+  std::vector<double> knots = { low, high };
+  for (const RateCurve* curve : { &first, &second })
+  {
+    std::copy_if(curve->GetKnots().begin(), curve->GetKnots().end(), std::back_inserter(knots),
+      [=](double knot) { return knot > low && knot < high; });
+  }
+  std::sort(knots.begin(), knots.end());
+  // Simpson's rule is exact for cubics, and the curves are cubics between the knots of both.
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+  {
+    const auto difference = [&](double x) { return second.Evaluate(x) - first.Evaluate(x); };
+    const double middle = 0.5 * (knots[k] + knots[k + 1]);
+    sum += (knots[k + 1] - knots[k]) / 6.0 *
+      (difference(knots[k]) + 4.0 * difference(middle) + difference(knots[k + 1]));
+  }
+  return std::exp(sum / (high - low)) - 1.0;
+}
+
 /// The difference of the other coders from the first, in bytes at equal quality.
 std::string MakeDeltas(
   const std::vector<Series>& all, const std::vector<Measure>& measures, nlohmann::json& json)
@@ -269,11 +377,11 @@ Result Run(Options options)
 }
 }
 
-void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
+void AddBenchmarkCodec(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = benchmark.add_subcommand(
+  CLI::App* command = app.add_subcommand(
     "codec", "Measure quality against size, and speed, of several codec settings");
-  command->footer(MakeFooter({ "cslf benchmark codec box.vti -o bench --crfs 18,22,26,30" },
+  command->footer(MakeFooter({ "cslf-lab codec box.vti -o bench --crfs 18,22,26,30" },
     "Codes the field with all combinations of the lists and writes codec.md, codec.json and plots "
     "into the folder. PSNR is measured for red, green and blue over all texels, against the given "
     "field; with --scene also for novel views with every lookup, as in cslf evaluate. The ratio "

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Measurements of the codec: tables, plots, and plausible figures.
+# Measurements of the codec and of the sampler: tables, plots, and plausible figures.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(light --max-depth 2)
 cslf_run(sample cornell-box -o box.vti -M 3 -N 32 --spp 4 ${light})
-cslf_run(benchmark codec box.vti -o bench --crfs 34,18,26 --presets ultrafast,medium
+lab_run(codec box.vti -o bench --crfs 34,18,26 --presets ultrafast,medium
   --scene cornell-box --views 1 --size 48 --spp 64 ${light} --json)
 expect_json("ultrafast" series 0 name)
 expect_json("medium" series 1 name)
@@ -52,12 +52,8 @@ if (EXISTS "${DIRECTORY}/bench/coded.mp4")
   message(FATAL_ERROR "A video is left.")
 endif ()
 
-cslf_fail("vp9" "bench/coded" benchmark codec box.vti -o bench --codecs vp9 --crfs 20)
-cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
-cslf_fail("subcommand" "x" benchmark)
-
 # The gain of the cache: the same texels by path tracing and by the selected integrator.
-cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 30 --texels 600
+lab_run(sampler cornell-box -M 5 -N 32 --spp 4 --views 30 --texels 600
   --reference-spp 8192 --path-spp 1,4 ${light} --json)
 expect_json_at_least(10 outcomes 0 psnr)
 expect_json("as told" outcomes 2 name)
@@ -68,5 +64,3 @@ string(JSON more GET "${output}" outcomes 1 psnr)
 if (NOT more GREATER few)
   message(FATAL_ERROR "Four samples have ${more} dB, one ${few} dB.")
 endif ()
-cslf_fail("path-spp" "x" benchmark sampler cornell-box --path-spp 4)
-cslf_fail("no file" "x" benchmark sampler nowhere.ply)

@@ -3,7 +3,7 @@
 #include "cslfChart.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfPictures.h"
+#include "Pictures/cslfPictures.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark key-views: novel views from few coded viewpoints with depth, compared with the
+// cslf-lab key-views: novel views from few coded viewpoints with depth, compared with the
 // paper's way, which uses all viewpoints without depth.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
-#include "Measurements/cslfCodecSweep.h"
-#include "Measurements/cslfRateCurves.h"
 #include "Measurements/cslfStatistics.h"
-#include "Options/cslfBenchmarkOptions.h"
 #include "Options/cslfNumberChecks.h"
-#include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
+#include "cslfChart.h"
+#include "cslfCodecSweep.h"
+#include "cslfLab.h"
 
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFResample.h"
@@ -28,6 +27,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -170,6 +170,61 @@ std::vector<Series> MeasureAll(
     }
   }
   return all;
+}
+
+/// The points that no other point beats in both bytes and PSNR, the smallest first.
+std::vector<RatePoint> FindFront(std::vector<RatePoint> points)
+{
+  std::sort(points.begin(), points.end(),
+    [](const RatePoint& a, const RatePoint& b)
+    { return a.Bytes < b.Bytes || (a.Bytes == b.Bytes && a.PSNR > b.PSNR); });
+  std::vector<RatePoint> front;
+  for (const RatePoint& point : points)
+  {
+    if (front.empty() || point.PSNR > front.back().PSNR)
+    {
+      front.push_back(point);
+    }
+  }
+  return front;
+}
+
+/// The bytes at which a front has this PSNR: between two points their logarithm is linear in dB. A
+/// lower PSNR than that of the smallest point takes its bytes. Nothing for a higher PSNR than all.
+std::optional<double> FindBytes(const std::vector<RatePoint>& front, double psnr)
+{
+  const auto above = std::find_if(
+    front.begin(), front.end(), [psnr](const RatePoint& point) { return point.PSNR >= psnr; });
+  if (above == front.end())
+  {
+    return std::nullopt;
+  }
+  if (above == front.begin())
+  {
+    return above->Bytes;
+  }
+  const RatePoint& below = *(above - 1);
+  const double part = (psnr - below.PSNR) / (above->PSNR - below.PSNR);
+  return below.Bytes * std::pow(above->Bytes / below.Bytes, part);
+}
+
+/// The PSNR that a front has at these bytes, likewise. The best one for more bytes than all;
+/// nothing for fewer than those of the smallest point.
+std::optional<double> FindPSNR(const std::vector<RatePoint>& front, double bytes)
+{
+  const auto above = std::find_if(
+    front.begin(), front.end(), [bytes](const RatePoint& point) { return point.Bytes > bytes; });
+  if (above == front.begin())
+  {
+    return std::nullopt;
+  }
+  const RatePoint& below = *(above - 1);
+  if (above == front.end())
+  {
+    return below.PSNR;
+  }
+  const double part = std::log(bytes / below.Bytes) / std::log(above->Bytes / below.Bytes);
+  return below.PSNR + part * (above->PSNR - below.PSNR);
 }
 
 /// Of all files of key views, only those count that no other file beats in both size and quality.
@@ -376,11 +431,11 @@ Result Run(Options options)
 }
 }
 
-void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
+void AddBenchmarkKeyViews(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = benchmark.add_subcommand(
+  CLI::App* command = app.add_subcommand(
     "key-views", "Compare key views with depth and the paper's method: novel views against size");
-  command->footer(MakeFooter({ "cslf benchmark key-views box.vti cornell-box -o bench" },
+  command->footer(MakeFooter({ "cslf-lab key-views box.vti cornell-box -o bench" },
     "Writes key-views.md, key-views.json and a plot into the folder. The paper's method codes all "
     "viewpoints as colour over black, without coverage and depth, and uses the bilinear lookup. "
     "The other method codes every STEP-th viewpoint with coverage and depth, optionally with fewer "

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Measurements of drawing and of texels: tables, plots, and plausible figures.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(light --max-depth 2)
+cslf_run(sample cornell-box -o box.vti -M 2 -N 16 --spp 4 ${light})
+
+# Measurements along the path, compared with a mesh.
+lab_run(render box.vti cornell-box -o bench --frames 3 --size 24 --views 1 --spp 64
+  ${light} --mesh "${DATA}/dragon.ply" --json)
+expect_json("swing" path)
+expect_json_at_least(30 update_rate)
+expect_json(2 viewpoints)
+expect_json(16 resolution)
+expect_json_at_least(1000 mesh triangles)
+expect_json_at_least(10 views noise_floor)
+foreach (lookup IN ITEMS nearest linear bilinear focal depth)
+  expect_json_at_least(0.01 lookups ${lookup} frames_per_second)
+  expect_json_at_least(0.01 lookups ${lookup} still_frames_per_second)
+  expect_json_at_least(0.01 lookups ${lookup} moving_frames_per_second)
+  expect_json_at_least(5 lookups ${lookup} moving_psnr)
+  expect_json_at_least(0.0001 lookups ${lookup} mesh_ratio)
+  expect_json_at_least(0.0001 lookups ${lookup} load_seconds)
+  expect_json_at_least(5 lookups ${lookup} psnr)
+  expect_json_at_least(0.0001 lookups ${lookup} first_picture_seconds)
+  # Nine images of 16 x 16 texels for each of a face's four viewpoints, and an empty one, with
+  # colour and depth.
+  expect_json(56832 lookups ${lookup} texture_bytes)
+endforeach ()
+string(JSON device GET "${output}" device)
+file(READ "${DIRECTORY}/bench/render.md" table)
+string(FIND "${table}" "${device}" place)
+if (NOT table MATCHES "\\| lookup \\| frames/s \\|" OR place LESS 0 OR device STREQUAL "unknown")
+  message(FATAL_ERROR "The device is ${device}, the table:\n${table}")
+endif ()
+foreach (file IN ITEMS render.json frames.png views.png)
+  if (NOT EXISTS "${DIRECTORY}/bench/${file}")
+    message(FATAL_ERROR "${file} is missing.")
+  endif ()
+endforeach ()
+# Opened repeatedly.
+lab_run(opening box.vti -o opening --repeats 3 --size 24 --lookup focal --json)
+expect_json("focal" lookup)
+foreach (repeat IN ITEMS 0 1 2)
+  foreach (phase IN ITEMS window opening drawing)
+    expect_json_at_least(0.000001 repeats ${repeat} ${phase} seconds)
+    expect_json_at_least(0 repeats ${repeat} ${phase} cpu_seconds)
+  endforeach ()
+endforeach ()
+file(READ "${DIRECTORY}/opening/opening.md" table)
+if (NOT table MATCHES "\\| opening and drawing \\|" OR NOT table MATCHES "focal lookup, 24 x 24")
+  message(FATAL_ERROR "The table is:\n${table}")
+endif ()
+foreach (file IN ITEMS opening.json opening.png)
+  if (NOT EXISTS "${DIRECTORY}/opening/${file}")
+    message(FATAL_ERROR "${file} is missing.")
+  endif ()
+endforeach ()
+lab_run(render box.vti -o alone --frames 1 --size 16 --json)
+expect_json("orbit" path)
+if (EXISTS "${DIRECTORY}/alone/views.png")
+  message(FATAL_ERROR "There is a plot of views that were not drawn.")
+endif ()
+
+# Texels: noise is the only difference between the field and the reference.
+cslf_run(sample cornell-box -o noisy.vti -M 3 -N 16 --spp 4 --integrator path ${light})
+lab_run(evaluate-texels noisy.vti cornell-box --texels 1000 --reference-spp 512 --json)
+expect_json(1000 texels)
+expect_json_at_least(25 psnr)
+expect_json_at_least(45 noise_floor)
