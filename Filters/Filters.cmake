@@ -27,9 +27,9 @@ cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard Interpreter ParallelFor Phase
-  PipelineWatch PolygonFill Requests ScenePipeline Slabs TriangleList ValidPolyData
-  ViewpointSource VTKCompatibility)
+  ArrayLayout FieldArrays GeometryArrays Guard Interpreter ParallelFor Phase PipelineWatch
+  PolygonFill Requests ScenePipeline Slabs TriangleList ValidPolyData ViewpointSource
+  VTKCompatibility)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
@@ -68,8 +68,8 @@ cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit Geomet
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PushPull
-  RadianceFrames TexelBytes TexelRows)
+  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PushPull RadianceFrames TexelBytes
+  TexelRows)
 cslf_add(Filters/Coding/Groups CodingTask TrackDecoder)
 cslf_add(Filters/Coding/Reading
   BackgroundSteps BackgroundThread FieldReader GroupDecoder ViewpointStore)
@@ -82,7 +82,8 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/Groups GroupCodec)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
-    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan     GroupCoder HeldOutViews Part PartStore SlicePuller)
+    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCoder
+    HeldOutViews Part PartStore SlicePuller)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.
@@ -112,22 +113,19 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightSample LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DisplayedColor Frame GGX ImageCurve Lobe MaterialParameters
-    MaterialProblems SurfaceMaterial Texture)
-  cslf_add(Filters/PathTracing/Paths
-    DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
+    BSDF DisplayedColor Frame GGX ImageCurve Lobe MaterialParameters MaterialProblems
+    SurfaceMaterial Texture)
+  cslf_add(Filters/PathTracing/Paths DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
-    GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticePatch
-    LatticeProbe LatticeRefinement LatticeRequests LatticeSum LayoutProgress MeshEdges OpenSides
-    RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
-    SurfaceEstimate SurfaceLattice)
+    GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticePatch LatticeProbe
+    LatticeRefinement LatticeRequests LatticeSum LayoutProgress MeshEdges OpenSides RadianceCache
+    SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes
-    Scene SceneBlock SceneBuilder SurfaceColors TextureReader)
-  cslf_add(Filters/PathTracing/Shapes
-    Box Mesh RoundView TriangleGeometry Triangles Tube)
+    Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes Scene SceneBlock
+    SceneBuilder SurfaceColors TextureReader)
+  cslf_add(Filters/PathTracing/Shapes Box Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum FieldRays SamplePlaces StoppingRule TexelRenderer
     TexelSums)
@@ -137,12 +135,10 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
-    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars
-    MoleculeParts PointParts SurfaceAppearance TextureImage WindowLights)
+    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars MoleculeParts PointParts
+    SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/SceneLook SurfaceColoring)
-  cslf_add(Filters/Scenes
-    Assembly Molecule Pipes ProceduralScene Streamlines Terrain
-    Turbulence)
+  cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()
 
 # Estimates of costs.

@@ -3,7 +3,7 @@
 
 // cslf completion: scripts that complete the command line in shells, made from CLI11's parser.
 #include "Console/cslfHelp.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 #include "cslfCommands.h"
 #include "cslfJoin.h"
 

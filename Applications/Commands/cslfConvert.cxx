@@ -4,7 +4,7 @@
 // cslf encode, cslf decode and cslf resample: write a light field to another file.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfGeometryFiles.h"

@@ -9,8 +9,6 @@
 #include "Measurements/cslfNovelViews.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfCameraOptions.h"
-#include "Options/cslfNovelViewOptions.h"
-#include "Options/cslfToneOptions.h"
 #include "Pictures/cslfCameraPath.h"
 #include "Pictures/cslfContactSheet.h"
 #include "Pictures/cslfPictures.h"

@@ -4,7 +4,7 @@
 // cslf export: the triangles of a scene in one file, for other programs.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "Scenes/cslfSceneFiles.h"

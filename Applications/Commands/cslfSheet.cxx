@@ -5,7 +5,7 @@
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 #include "Pictures/cslfContactSheet.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"

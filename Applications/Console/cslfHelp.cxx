@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHelp.h"
 
-#include "Options/cslfNumberChecks.h"
+#include "cslfNumberChecks.h"
 #include "cslfJoin.h"
 
 #include <CLI/CLI.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfProgram.h"
 
-#include "Options/cslfNumberChecks.h"
-#include "Scenes/cslfSceneText.h"
+#include "cslfNumberChecks.h"
+#include "cslfSceneText.h"
 #include "cslfHelp.h"
 #include "cslfMessages.h"
 #include "cslfParallel.h"

@@ -3,7 +3,7 @@
 #include "cslfFieldParts.h"
 
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfJoin.h"

@@ -3,10 +3,10 @@
 #include "cslfGeometryFiles.h"
 
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "Pipeline/cslfGeometryArrays.h"
-#include "Scenes/cslfSceneChecks.h"
+#include "cslfSceneChecks.h"
 #include "cslfFieldFiles.h"
 
 #include "vtkCSLFDecoder.h"

@@ -3,7 +3,7 @@
 #include "cslfImageDataFiles.h"
 
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 
 #include "vtkCSLFSampler.h"

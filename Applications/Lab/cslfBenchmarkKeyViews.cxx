@@ -7,7 +7,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfChart.h"
 #include "cslfCodecSweep.h"

@@ -4,11 +4,10 @@
 // cslf-lab opening: the time from opening a file to its first picture.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfCameraOptions.h"
-#include "Options/cslfNumberChecks.h"
-#include "Pictures/cslfOffscreenWindow.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfLab.h"
 

@@ -4,12 +4,11 @@
 // cslf-lab render: the speed, memory and quality of each lookup.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfCameraOptions.h"
-#include "Options/cslfNumberChecks.h"
 #include "Pictures/cslfCameraPath.h"
-#include "Pictures/cslfOffscreenWindow.h"
 #include "Pictures/cslfPictures.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "Scenes/cslfSceneFiles.h"

@@ -6,7 +6,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfLab.h"
 

@@ -6,7 +6,7 @@
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Console/cslfTable.h"
 
 #include <vtkAlgorithm.h>

@@ -12,7 +12,6 @@
 #include "Console/cslfProgram.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Measurements/cslfNovelViews.h"
-#include "Options/cslfNovelViewOptions.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfJSON.h"
 

@@ -3,7 +3,9 @@
 #include "cslfCameraOptions.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
+#include "cslfColor.h"
+#include "cslfTableOptions.h"
 
 #include <vtkCamera.h>
 #include <vtkColor.h>
@@ -12,12 +14,34 @@
 
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace cslf::tool
 {
+void ToneOptions::AddTo(CLI::App& command)
+{
+  using Mapping = vtkCSLFToneMapping;
+  Mapping* tone = this->Tone;
+  AddOption(command, options::ViewExposure, tone, &Mapping::SetExposure, Positive());
+  AddOption(command, options::ToneMapping, tone, &Mapping::SetCurve);
+}
+
+void EncodeShown(
+  vtkCSLFToneMapping* toneMapping, const glm::dvec3& radiance, double alpha, unsigned char color[3])
+{
+  unsigned char encoded[4] = { 0, 0, 0, 0 };
+  if (alpha > 0.0)
+  {
+    glm::dvec3 shown = radiance / alpha;
+    toneMapping->MapTone(glm::value_ptr(shown), glm::value_ptr(shown));
+    EncodeColor(alpha * shown, alpha, encoded);
+  }
+  std::copy_n(encoded, 3, color);
+}
+
 namespace
 {
 // From the front, a little to the right and above; inside the opening of the Cornell box.

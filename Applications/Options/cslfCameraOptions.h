@@ -9,7 +9,9 @@
 #define cslfCameraOptions_h
 
 #include "cslfCube.h"
+#include "vtkCSLFToneMapping.h"
 
+#include <glm/vec3.hpp>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -26,6 +28,22 @@ class App;
 
 namespace cslf::tool
 {
+class ToneOptions
+{
+public:
+  /// Adds --view-exposure and --tone-mapping.
+  void AddTo(CLI::App& command);
+
+  vtkCSLFToneMapping* Get() const { return this->Tone; }
+
+private:
+  vtkSmartPointer<vtkCSLFToneMapping> Tone = vtkSmartPointer<vtkCSLFToneMapping>::New();
+};
+
+/// A pixel of linear radiance, associated with its coverage `alpha`, as displayed over black.
+void EncodeShown(vtkCSLFToneMapping* toneMapping, const glm::dvec3& radiance, double alpha,
+  unsigned char color[3]);
+
 /// The distance of default cameras from the cube's centre, in units of its longest edge.
 constexpr double DefaultDistance = 2.0;
 

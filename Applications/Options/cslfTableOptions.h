@@ -9,7 +9,7 @@
 #define cslfTableOptions_h
 
 #include "Options/cslfOptionTable.h"
-#include "cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 
 #include <CLI/CLI.hpp>
 

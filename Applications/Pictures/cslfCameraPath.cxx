@@ -7,7 +7,7 @@
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfJSONFile.h"
 #include "Options/cslfCameraOptions.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>

@@ -7,7 +7,7 @@
 #ifndef cslfFrameFiles_h
 #define cslfFrameFiles_h
 
-#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfOutputFiles.h"
 
 #include <memory>
 #include <string>

@@ -8,7 +8,6 @@
 #define cslfPictures_h
 
 #include "Fields/cslfFieldFiles.h"
-#include "cslfOffscreenWindow.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -30,8 +29,44 @@ namespace CLI
 class App;
 }
 
+class vtkRenderWindow;
+class vtkRenderer;
+
 namespace cslf::tool
 {
+/// The red, green and blue of a window's picture. Throws a Failure.
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
+
+/// An off-screen window, by default black.
+class OffscreenWindow
+{
+public:
+  OffscreenWindow(int width, int height);
+  ~OffscreenWindow();
+  OffscreenWindow(const OffscreenWindow&) = delete;
+  OffscreenWindow& operator=(const OffscreenWindow&) = delete;
+
+  void AddActor(vtkActor* actor);
+  void SetBackground(const double color[3]);
+
+  /// Like vtkRenderWindow::DesiredUpdateRate, in frames per second.
+  void SetDesiredUpdateRate(double rate);
+
+  /// Draws, waits until the picture is finished, and returns the seconds for both. Throws a
+  /// Failure.
+  double Draw(vtkCamera* camera);
+
+  /// The red, green and blue of the last picture. Throws a Failure.
+  vtkSmartPointer<vtkImageData> Grab();
+
+  /// OpenGL's name of the renderer, after something was drawn.
+  std::string GetDeviceName();
+
+private:
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
 /// The formats of single pictures, for help and errors.
 constexpr const char* PictureFormats = ".png, .jpg, .webp or .gif";
 

@@ -3,7 +3,7 @@
 #include "cslfScenePicture.h"
 
 #include "Console/cslfMessages.h"
-#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfCameraOptions.h"
 #include "SceneImport/cslfBlockAppearances.h"

@@ -6,8 +6,8 @@
 #include "Files/cslfFileSystem.h"
 #include "cslfDescription.h"
 #include "cslfJoin.h"
-#include "cslfSceneChecks.h"
-#include "cslfSceneText.h"
+#include "Fields/cslfSceneChecks.h"
+#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

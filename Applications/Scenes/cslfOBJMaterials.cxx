@@ -6,7 +6,7 @@
 #include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfJoin.h"
-#include "cslfSceneText.h"
+#include "Console/cslfSceneText.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkFloatArray.h>

@@ -6,7 +6,7 @@
 #include "Files/cslfFileSystem.h"
 #include "cslfJoin.h"
 #include "cslfOBJMaterials.h"
-#include "cslfSceneText.h"
+#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCompositeDataSet.h>

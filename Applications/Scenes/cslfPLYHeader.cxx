@@ -3,7 +3,7 @@
 #include "cslfPLYHeader.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfSceneText.h"
+#include "Console/cslfSceneText.h"
 
 #include <algorithm>
 #include <charconv>

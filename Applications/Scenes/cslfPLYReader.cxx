@@ -4,7 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "cslfPLYHeader.h"
-#include "cslfSceneText.h"
+#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

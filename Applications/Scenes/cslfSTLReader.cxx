@@ -4,7 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
-#include "cslfSceneText.h"
+#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>

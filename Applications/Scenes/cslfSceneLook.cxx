@@ -3,7 +3,7 @@
 #include "cslfSceneLook.h"
 
 #include "Console/cslfMessages.h"
-#include "Options/cslfNumberChecks.h"
+#include "Console/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
 #include "vtkCSLFEnvironment.h"
 

@@ -3,7 +3,7 @@
 #include "cslfRefiningTruth.h"
 
 #include "Console/cslfMessages.h"
-#include "Options/cslfToneOptions.h"
+#include "Options/cslfCameraOptions.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfSeconds.h"
 

@@ -9,6 +9,7 @@
 #define cslfViewer_h
 
 #include "Pictures/cslfPictures.h"
+#include "cslfDescription.h"
 #include "cslfRefiningTruth.h"
 
 #include <vtkNew.h>
@@ -34,6 +35,16 @@ class vtkTextActor;
 
 namespace cslf::tool
 {
+/// The edges of the cube.
+vtkSmartPointer<vtkActor> MakeOutline(const Cube& cube);
+
+/// Axes of world coordinates at the cube's corner with the smallest x and y and the largest z, so
+/// that Z points outwards.
+vtkSmartPointer<vtkProp> MakeAxes(const Cube& cube);
+
+/// A dot at each of the field's viewpoints.
+vtkSmartPointer<vtkActor> MakeViewpointMarkers(const Description& field);
+
 struct FieldFile;
 
 /// Draws everything into one render window, which its owner shows. It acts only on keys.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A field as VTK's image data in XML.
-#include "Scenes/cslfSceneChecks.h"
+#include "Fields/cslfSceneChecks.h"
 #include "cslfDescription.h"
 #include "cslfFuzzing.h"
 

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-ROOTS = ("Module", "Filters", "Rendering")
+ROOTS = ("Module", "Filters", "Rendering", "Applications")
 
 # Each layer, with the layers whose headers it may include. A layer is a folder with its subfolders.
 # The classes of Filters itself, such as vtkCSLFEncoder, combine these layers and are not checked.

@@ -3,10 +3,9 @@
 #include "cslfSceneChecks.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
 #include "Files/cslfFileSystem.h"
-#include "cslfSceneText.h"
 #include "cslfXMLArrayHeaders.h"
-#include "cslfXMLStrings.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>

@@ -7,11 +7,11 @@
 #ifndef cslfOutputFiles_h
 #define cslfOutputFiles_h
 
-#include "Fields/cslfUnfinishedFields.h"
+#include "cslfUnfinishedFields.h"
 #include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
-#include "cslfMessages.h"
+#include "Console/cslfMessages.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneText.h"
 
-#include "Console/cslfMessages.h"
+#include "cslfMessages.h"
 #include "Files/cslfFileSystem.h"
 
 #include <algorithm>
