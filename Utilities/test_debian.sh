@@ -9,8 +9,8 @@
 #
 # usage: test_debian.sh SYSTEM [JOB [ARGUMENT...]]
 #   SYSTEM     bookworm (Debian 12), trixie (13), forky (testing)
-#   JOB        test (all tests, the default), plugin (ParaView's plugin and its tests), demo,
-#              warnings (builds the preset "dev", to which warnings are errors)
+#   JOB        test (the default; with the argument --nightly all tests), plugin (ParaView's plugin and
+#              its tests), demo, warnings (builds the preset "dev", to which warnings are errors)
 #   ARGUMENT   for the command, such as `-R Decoder` for the tests
 # With CCACHE_DIR set, the system has ccache too and keeps what it compiles in that folder.
 #
