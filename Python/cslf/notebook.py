@@ -91,15 +91,15 @@ def find_view_up(view, up):
 
 
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
-         background=(0.0, 0.0, 0.0), lookup="Geometry"):
+         background="#1a1a1f", lookup="Geometry"):
     """Draws a view of a light field and returns it as a Picture.
 
     ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
     ``size`` is the width and height in pixels. ``position`` is the position of the camera in world
     coordinates, by default two edges of the cube in front of its centre, and ``focal_point`` the
     point that it looks at, by default the centre. ``background`` is the name of a colour in HTML,
-    such as ``white`` or ``#1a1a1f``, or red, green and blue in [0,1]. ``lookup``, and what is
-    raised if there is no such field, are as in ``make_actor``.
+    such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
+    ``lookup``, and what is raised if there is no such field, are as in ``make_actor``.
 
     Raises ``TypeError`` for arguments of a wrong kind, ``ValueError`` for those out of range, and
     ``RuntimeError`` if nothing can be drawn.
