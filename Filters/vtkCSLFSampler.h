@@ -22,18 +22,18 @@
  * Field data holds the light field's description.
  *
  * Output port 1 is the field's geometry, for vtkCSLFMapper and vtkCSLFEncoder: the scene's opaque
- * surfaces as triangles in world coordinates. Spheres, tubes and instances are tessellated, parts that no
- * viewpoint sees are left out, and the rest is simplified to GeometryTriangles. Point scalars are
- * `Color`, of the same type as that of the field: the light that leaves the front along the normal,
- * for points that no viewpoint sees. `BackColor` is that of the back, where corners run clockwise;
- * there is none if nobody sees any back. Field data holds `GeometryError`, the root mean square
- * distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share of
- * them that is more than a texel away and does not count in the former. Above 0.2, the filter
+ * surfaces as triangles in world coordinates. Spheres, tubes and instances are tessellated, parts
+ * that no viewpoint sees are left out, and the rest is simplified to GeometryTriangles. Point
+ * scalars are `Color`, of the same type as that of the field: the light that leaves the front along
+ * the normal, for points that no viewpoint sees. `BackColor` is that of the back, where corners run
+ * clockwise; there is none if nobody sees any back. Field data holds `GeometryError`, the root mean
+ * square distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share
+ * of them that is more than a texel away and does not count in the former. Above 0.2, the filter
  * warns, and mappers do not use it. Surfaces that are translucent, or visible from one side only,
- * are not in it: the filter warns of them, `GeometryOpaqueLoss`, that of the others, takes the place
- * of `GeometryLoss`, and mappers look them up by depth. Update() makes it with the field, and Update(1) makes it alone.
- * Consumers that request parts of the field do not make it. It is made once, until something
- * changes.
+ * are not in it: the filter warns of them, `GeometryOpaqueLoss`, that of the others, takes the
+ * place of `GeometryLoss`, and mappers look them up by depth. Update() makes it with the field, and
+ * Update(1) makes it alone. Consumers that request parts of the field do not make it. It is made
+ * once, until something changes.
  *
  * The cube must strictly contain the scene; otherwise the filter reports an error.
  *

@@ -4,10 +4,10 @@
 // cslf encode, cslf decode and cslf resample: write a light field to another file.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Fields/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfGeometryFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Options/cslfTableOptions.h"
 #include "cslfCommands.h"
 

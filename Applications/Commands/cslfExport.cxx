@@ -4,8 +4,8 @@
 // cslf export: the triangles of a scene in one file, for other programs.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Fields/cslfOutputFiles.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"

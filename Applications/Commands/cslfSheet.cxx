@@ -4,8 +4,8 @@
 // cslf sheet: arranges pictures in one picture.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Fields/cslfFieldFiles.h"
 #include "Console/cslfNumberChecks.h"
+#include "Fields/cslfFieldFiles.h"
 #include "Pictures/cslfContactSheet.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHelp.h"
 
-#include "cslfNumberChecks.h"
 #include "cslfJoin.h"
+#include "cslfNumberChecks.h"
 
 #include <CLI/CLI.hpp>
 

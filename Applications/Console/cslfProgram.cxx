@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfProgram.h"
 
-#include "cslfNumberChecks.h"
-#include "cslfSceneText.h"
 #include "cslfHelp.h"
 #include "cslfMessages.h"
+#include "cslfNumberChecks.h"
 #include "cslfParallel.h"
+#include "cslfSceneText.h"
 
 #include <vtkSMPTools.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneText.h"
 
-#include "cslfMessages.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfMessages.h"
 
 #include <algorithm>
 #include <charconv>

@@ -3,10 +3,10 @@
 #include "cslfFieldParts.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfJoin.h"
+#include "cslfOutputFiles.h"
 
 #include "vtkCSLFDecoder.h"
 

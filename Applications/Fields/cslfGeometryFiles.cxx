@@ -3,11 +3,11 @@
 #include "cslfGeometryFiles.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "Pipeline/cslfGeometryArrays.h"
-#include "cslfSceneChecks.h"
 #include "cslfFieldFiles.h"
+#include "cslfOutputFiles.h"
+#include "cslfSceneChecks.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFGeometryFilter.h"

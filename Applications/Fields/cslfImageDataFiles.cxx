@@ -3,8 +3,8 @@
 #include "cslfImageDataFiles.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfOutputFiles.h"
 
 #include "vtkCSLFSampler.h"
 

@@ -7,11 +7,11 @@
 #ifndef cslfOutputFiles_h
 #define cslfOutputFiles_h
 
-#include "cslfUnfinishedFields.h"
+#include "Console/cslfMessages.h"
 #include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
-#include "Console/cslfMessages.h"
+#include "cslfUnfinishedFields.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -5,9 +5,9 @@
 // paper's way, which uses all viewpoints without depth.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfStatistics.h"
-#include "Console/cslfNumberChecks.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfChart.h"
 #include "cslfCodecSweep.h"

@@ -4,9 +4,9 @@
 // cslf-lab evaluate-texels: compares a light field's texels with path-traced ones.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
-#include "Console/cslfNumberChecks.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfLab.h"
 

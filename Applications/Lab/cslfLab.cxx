@@ -6,8 +6,8 @@
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Fields/cslfOutputFiles.h"
 #include "Console/cslfTable.h"
+#include "Fields/cslfOutputFiles.h"
 
 #include <vtkAlgorithm.h>
 

@@ -8,8 +8,8 @@
 #ifndef cslfTableOptions_h
 #define cslfTableOptions_h
 
-#include "Options/cslfOptionTable.h"
 #include "Console/cslfNumberChecks.h"
+#include "Options/cslfOptionTable.h"
 
 #include <CLI/CLI.hpp>
 

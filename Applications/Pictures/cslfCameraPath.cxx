@@ -4,10 +4,10 @@
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfJSONFile.h"
 #include "Options/cslfCameraOptions.h"
-#include "Console/cslfNumberChecks.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>

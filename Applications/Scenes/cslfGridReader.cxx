@@ -3,11 +3,11 @@
 #include "cslfGridReader.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
+#include "Fields/cslfSceneChecks.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfDescription.h"
 #include "cslfJoin.h"
-#include "Fields/cslfSceneChecks.h"
-#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

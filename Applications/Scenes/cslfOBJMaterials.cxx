@@ -3,10 +3,10 @@
 #include "cslfOBJMaterials.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
 #include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfJoin.h"
-#include "Console/cslfSceneText.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkFloatArray.h>

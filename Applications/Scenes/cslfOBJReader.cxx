@@ -3,10 +3,10 @@
 #include "cslfOBJReader.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfJoin.h"
 #include "cslfOBJMaterials.h"
-#include "Console/cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCompositeDataSet.h>

@@ -3,8 +3,8 @@
 #include "cslfPLYReader.h"
 
 #include "Console/cslfMessages.h"
-#include "cslfPLYHeader.h"
 #include "Console/cslfSceneText.h"
+#include "cslfPLYHeader.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

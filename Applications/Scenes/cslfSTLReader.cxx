@@ -3,8 +3,8 @@
 #include "cslfSTLReader.h"
 
 #include "Console/cslfMessages.h"
-#include "Files/cslfFileSystem.h"
 #include "Console/cslfSceneText.h"
+#include "Files/cslfFileSystem.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>

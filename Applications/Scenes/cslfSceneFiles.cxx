@@ -4,14 +4,14 @@
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
 #include "Fields/cslfOutputFiles.h"
+#include "Fields/cslfSceneChecks.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfGridReader.h"
 #include "cslfOBJReader.h"
 #include "cslfPLYReader.h"
 #include "cslfSTLReader.h"
-#include "Fields/cslfSceneChecks.h"
-#include "Console/cslfSceneText.h"
 
 #include "Console/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"

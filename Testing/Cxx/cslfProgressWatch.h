@@ -30,11 +30,8 @@ class ProgressWatch
 public:
   /// After an abort, these reports are those that are under way, of several levels of the work. VTK
   /// since 9.3 also reports the end of aborted filters: of the one that works, and of its consumer.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  static constexpr int MostReportsAfterAbort = 6;
-#else
-  static constexpr int MostReportsAfterAbort = 4;
-#endif
+  static constexpr int MostReportsAfterAbort =
+    VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 6 : 4;
 
   /// Asks the algorithm to stop at a report in that phase, counted from 1. An empty name is that of
   /// no phase.
