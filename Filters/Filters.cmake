@@ -27,8 +27,8 @@ cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard Interpreter ParallelFor Phase PipelineWatch
-  PolygonFill Requests ScenePipeline Slabs TriangleList ValidPolyData ViewpointSource
+  ArrayLayout FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
+  Phase PipelineWatch PolygonFill Requests ScenePipeline TriangleList ValidPolyData
   VTKCompatibility)
 
 # Reduction of fields.
@@ -37,7 +37,7 @@ cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
 # Triangles that say where surfaces are.
 cslf_add(Filters/Geometry
   DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SideColors
-  Subdivision SurfaceError SurfaceMesh TileFrame TilePatch ViewpointChoice)
+  SurfaceError SurfaceMesh TileFrame TilePatch ViewpointChoice)
 
 # Looking up rays in a field. Its constants become a header and a shader.
 cslf_add(Filters/Lookup ChannelReader FaceSpace Lookup SceneGrid SurfaceLookup)
@@ -68,7 +68,7 @@ cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit Geomet
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows DepthCurve FrameConverter FrameOrder PushPull RadianceFrames TexelBytes
+  ColorFrames ColorRows FrameConverter FrameOrder PushPull RadianceFrames TexelBytes
   TexelRows)
 cslf_add(Filters/Coding/Groups CodingTask TrackDecoder)
 cslf_add(Filters/Coding/Reading
@@ -83,21 +83,21 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
     EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCoder
-    HeldOutViews Part PartStore SlicePuller)
+    HeldOutViews Part PartStore ViewpointReader)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.
 if (CSLF_ENABLE_SAMPLER)
   list(APPEND classes
+    ../Filters/SceneData/vtkCSLFInstances
+    ../Filters/SceneData/vtkCSLFLight
+    ../Filters/SceneData/vtkCSLFMaterial
     ../Filters/vtkCSLFCornellBoxSource
     ../Filters/vtkCSLFEnvironment
     ../Filters/vtkCSLFFieldReference
     ../Filters/vtkCSLFGLTFReader
     ../Filters/vtkCSLFImageReader
     ../Filters/vtkCSLFImageWriter
-    ../Filters/vtkCSLFInstances
-    ../Filters/vtkCSLFLight
-    ../Filters/vtkCSLFMaterial
     ../Filters/vtkCSLFPathTracer
     ../Filters/vtkCSLFRadianceCacheOptions
     ../Filters/vtkCSLFSampler
@@ -113,8 +113,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightSample LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DisplayedColor Frame GGX ImageCurve Lobe MaterialParameters MaterialProblems
-    SurfaceMaterial Texture)
+    BSDF DisplayedColor Frame GGX Lobe SurfaceMaterial Texture)
   cslf_add(Filters/PathTracing/Paths DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
@@ -123,26 +122,27 @@ if (CSLF_ENABLE_SAMPLER)
     SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Fingerprint LightReader MeshJoin MeshMaker OldNames PointSpacing RayLanes Scene SceneBlock
-    SceneBuilder SurfaceColors TextureReader)
+    Fingerprint LightReader MeshJoin MeshMaker PointSpacing RayLanes Scene SceneBlock SceneBuilder
+    SurfaceColors TextureReader)
   cslf_add(Filters/PathTracing/Shapes Box Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
-    Arithmetic CenterSurfaces ChannelSum FieldRays SamplePlaces StoppingRule TexelRenderer
+    Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
+  cslf_add(Filters/SceneData
+    MaterialParameters MaterialProblems SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/SceneImport
-    ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
-    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars MoleculeParts PointParts
-    SurfaceAppearance TextureImage WindowLights)
+    ActorImporter ActorParts AMRSurface BlockAppearances CellKinds ClippedBlock
+    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars MoleculeParts PointParts)
   cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()
 
 # Estimates of costs.
 if (CSLF_ENABLE_ENCODER)
-  list(APPEND classes ../Filters/vtkCSLFBakeEstimator)
+  list(APPEND classes ../Filters/Planning/vtkCSLFBakeEstimator)
   cslf_add(Filters/Planning BakeProbe FieldDetail)
 endif ()

@@ -6,12 +6,12 @@
 #include "Coding/Reading/cslfFieldReader.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStore.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
-#include "Pipeline/cslfViewpointSource.h"
 #include "cslfJoin.h"
 
 #include <vtkDataArray.h>
@@ -46,7 +46,7 @@ class vtkCSLFDecoder::Internals
 {
 public:
   std::shared_ptr<cslf::FieldReader> Reader;
-  std::weak_ptr<cslf::ViewpointSource> Source; ///< of the reader, while somebody uses it
+  std::weak_ptr<cslf::FieldStore> Store; ///< of the reader, while somebody uses it
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field;                               ///< of every output
@@ -61,7 +61,7 @@ public:
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
     this->Reader = std::move(reader);
-    this->Source.reset();
+    this->Store.reset();
     this->Parts.clear();
     this->Description.clear();
     this->PixelFormat.clear();
@@ -125,7 +125,7 @@ vtkCSLFDecoder::~vtkCSLFDecoder()
 int vtkCSLFDecoder::CanReadFile(const char* fileName)
 {
   const cslf::AVLogSilence silence;
-  cslf::OpenFailure ignored;
+  cslf::OpenError ignored;
   constexpr int certainly = 3;
   try
   {
@@ -267,6 +267,8 @@ int vtkCSLFDecoder::RequestInformation(
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Internal->SetReader(nullptr);
   this->Internal->SetMissing({});
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  cslf::LendStore(outInfo, [this] { return this->GetStore(); });
   if (!this->FileName || !*this->FileName)
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
@@ -279,7 +281,6 @@ int vtkCSLFDecoder::RequestInformation(
   }
   int extent[6];
   this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
   cslf::SetFieldInformation(outInfo, extent);
   const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
   vtkDataObject::SetPointDataActiveScalarInfo(
@@ -391,7 +392,7 @@ void vtkCSLFDecoder::WarnOfHeader()
 
 bool vtkCSLFDecoder::OpenFile()
 {
-  cslf::OpenFailure failure;
+  cslf::OpenError failure;
   this->Internal->SetReader(cslf::FieldReader::Open(this->FileName, failure));
   if (!this->Internal->Reader)
   {
@@ -678,14 +679,17 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
   }
 }
 
-std::shared_ptr<cslf::ViewpointSource> vtkCSLFDecoder::GetViewpointSource()
+// The viewpoints of the file that is open; null if none is. They stay those of that file, which
+// remains open for them, also after this filter has opened another one. They keep up to CacheSize
+// bytes each, report what is damaged as this filter does, and keep it alive.
+std::shared_ptr<cslf::FieldStore> vtkCSLFDecoder::GetStore()
 {
-  std::shared_ptr<cslf::ViewpointSource> source = this->Internal->Source.lock();
-  if (!source && this->Internal->Reader)
+  std::shared_ptr<cslf::FieldStore> store = this->Internal->Store.lock();
+  if (!store && this->Internal->Reader)
   {
     const vtkSmartPointer<vtkCSLFDecoder> self = this;
     const auto reader = this->Internal->Reader;
-    source = cslf::MakeSource(
+    store = cslf::MakeStore(
       reader, [self](const std::function<bool()>& work) { return self->Guard(work); },
       [self, reader]
       {
@@ -694,13 +698,9 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFDecoder::GetViewpointSource()
           self->RequireDamageAllowed();
         }
       });
-    this->Internal->Source = source;
-    if (!this->Internal->Unwritten.empty())
-    {
-      this->RequireDamageAllowed();
-    }
+    this->Internal->Store = store;
   }
-  return source;
+  return store;
 }
 
 void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)

@@ -60,7 +60,7 @@
 
 namespace cslf
 {
-class ViewpointSource;
+class FieldStore;
 }
 
 class vtkIdTypeArray;
@@ -238,13 +238,6 @@ public:
    */
   void GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints);
 
-  /**
-   * For C++: the viewpoints of the file that is open; null if none is. They stay those of that
-   * file, which remains open for them, also after the decoder has opened another one. They keep up
-   * to CacheSize bytes each, report what is damaged as this decoder does, and keep it alive.
-   */
-  std::shared_ptr<cslf::ViewpointSource> GetViewpointSource();
-
 protected:
   vtkCSLFDecoder();
   ~vtkCSLFDecoder() override;
@@ -274,6 +267,7 @@ private:
   void WarnOfHeader();
   bool UpdateReader();
   bool RequireViewpoint(vtkIdType z);
+  std::shared_ptr<cslf::FieldStore> GetStore();
 
   char* FileName = nullptr;
   vtkTypeInt64 CacheSize = 512 << 20;

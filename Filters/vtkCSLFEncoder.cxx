@@ -11,7 +11,6 @@
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
-#include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
@@ -36,34 +35,45 @@ namespace options = cslf::options;
 
 namespace
 {
-/// The progress of writing when path tracers have made their first output.
+/// The progress of writing when filters that bake have made their first output.
 constexpr double InputProgress = 0.25;
 
-/// Lends a keeper to the path tracers that feed a connection while this object exists.
+/// The quality that a filter bakes in, if it bakes.
+std::optional<int> GetBakeQuality(vtkAlgorithm* filter)
+{
+  return filter->GetNumberOfOutputPorts() > 0
+    ? cslf::GetBakeQuality(filter->GetOutputInformation(0))
+    : std::nullopt;
+}
+
+/// Lends a keeper to the filters that bake and feed a connection while this object exists. They
+/// execute at the next update, so that all ranks meet.
 class CacheKeeping
 {
 public:
   CacheKeeping(vtkAlgorithmOutput* connection, cslf::CacheKeeper* keeper)
     : Filters(cslf::FindProducers(connection))
   {
-    this->Lend(keeper);
+    this->Filters.erase(std::remove_if(this->Filters.begin(), this->Filters.end(),
+                          [](vtkAlgorithm* filter) { return !GetBakeQuality(filter); }),
+      this->Filters.end());
+    for (const auto& filter : this->Filters)
+    {
+      cslf::LendCacheKeeper(filter->GetOutputInformation(0), keeper);
+      filter->Modified();
+    }
   }
-  ~CacheKeeping() { this->Lend(nullptr); }
+  ~CacheKeeping()
+  {
+    for (const auto& filter : this->Filters)
+    {
+      cslf::LendCacheKeeper(filter->GetOutputInformation(0), nullptr);
+    }
+  }
   CacheKeeping(const CacheKeeping&) = delete;
   CacheKeeping& operator=(const CacheKeeping&) = delete;
 
 private:
-  void Lend(cslf::CacheKeeper* keeper)
-  {
-    for (const auto& filter : this->Filters)
-    {
-      if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(filter))
-      {
-        tracer->SetCacheKeeper(keeper);
-      }
-    }
-  }
-
   std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
 };
 }
@@ -143,7 +153,7 @@ vtkImageData* vtkCSLFEncoder::GetInput()
     : nullptr;
 }
 
-cslf::EncodeFault vtkCSLFEncoder::FindFault()
+cslf::EncodeError vtkCSLFEncoder::FindError()
 {
   vtkCSLFRateControl* rate = this->RateControl;
   const double targets[] = { rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR() };
@@ -156,18 +166,25 @@ cslf::EncodeFault vtkCSLFEncoder::FindFault()
 
 std::string vtkCSLFEncoder::GetUsedPreset()
 {
-  int quality = options::Quality.Default;
   if (this->GetNumberOfInputConnections(0) > 0)
   {
-    const auto producers = cslf::FindProducers(this->GetInputConnection(0, 0));
-    const auto found = std::find_if(producers.begin(), producers.end(),
-      [](vtkAlgorithm* producer) { return vtkCSLFPathTracer::SafeDownCast(producer) != nullptr; });
-    if (found != producers.end())
+    this->GetInputAlgorithm()->UpdateInformation();
+  }
+  return this->FindPreset();
+}
+
+// The preset in use, by the information of the inputs.
+std::string vtkCSLFEncoder::FindPreset()
+{
+  std::optional<int> quality;
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    for (const auto& producer : cslf::FindProducers(this->GetInputConnection(0, 0)))
     {
-      quality = vtkCSLFPathTracer::SafeDownCast(*found)->GetQuality();
+      quality = quality ? quality : GetBakeQuality(producer);
     }
   }
-  return cslf::ChoosePreset(this->Preset, quality);
+  return cslf::ChoosePreset(this->Preset, quality.value_or(options::Quality.Default));
 }
 
 cslf::EncodeJob vtkCSLFEncoder::MakeJob()
@@ -175,8 +192,8 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   cslf::EncodeJob job;
   vtkCSLFRateControl* rate = this->RateControl;
   job.FileName = this->FileName ? this->FileName : "";
-  job.Settings = { this->GetUsedPreset(), this->PixelFormat ? this->PixelFormat : "",
-    rate->GetCRF(), rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
+  job.Settings = { this->FindPreset(), this->PixelFormat ? this->PixelFormat : "", rate->GetCRF(),
+    rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
     this->DepthFromGeometry,
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
     rate->GetKeyViewStep(), rate->GetTargetNovelViewPSNR(), this->Codec ? this->Codec : "" };
@@ -217,7 +234,7 @@ std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
     cslf::EncodeGeometry(geometry, field.Box, field.Grid.GetResolution(), fault) };
   if (fault.empty())
   {
-    fault = cslf::FindFault(others, part);
+    fault = cslf::FindError(others, part);
   }
   if (!fault.empty())
   {
@@ -242,7 +259,7 @@ bool vtkCSLFEncoder::CopyPart(const char* type, vtkUnsignedCharArray* bytes, con
   }
   const std::string fault = part.Type == cslf::GeometryPartType
     ? "The geometry is no part to be added: connect it to input port 1."
-    : cslf::FindFault(this->Parts->Parts, part);
+    : cslf::FindError(this->Parts->Parts, part);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
@@ -275,7 +292,7 @@ bool vtkCSLFEncoder::CanEncode(const char* codec)
 
 bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
 {
-  const cslf::EncodeFault& fault = session.GetFault();
+  const cslf::EncodeError& fault = session.GetError();
   const cslf::EncodeOutcome& outcome = session.GetOutcome();
   this->ActualCRF = outcome.CRF;
   this->ActualSize = outcome.Bytes;
@@ -304,7 +321,7 @@ int vtkCSLFEncoder::Write()
 
 int vtkCSLFEncoder::WriteInput()
 {
-  cslf::EncodeFault fault = this->FindFault();
+  cslf::EncodeError fault = this->FindError();
   if (this->GetNumberOfInputConnections(0) < 1)
   {
     fault = { vtkErrorCode::UnknownError, "There is no input to write." };
@@ -321,7 +338,7 @@ int vtkCSLFEncoder::WriteInput()
   if (session.Check(fault))
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
-    // A path tracer executes to use the keeper, so what is there would be sampled again.
+    // A filter that bakes executes to use the keeper, so what is there would be sampled again.
     std::optional<CacheKeeping> keeping;
     if (!cslf::IsWholeThere(job.Connection))
     {
@@ -344,8 +361,8 @@ int vtkCSLFEncoder::WriteInput()
   return this->Report(session) ? 1 : 0;
 }
 
-// Updates the inputs and then this filter. Path tracers take a share of the progress for what they
-// make at first: the scene, the cache, one viewpoint and the geometry.
+// Updates the inputs and then this filter. Those that bake take a share of the progress for what
+// they make at first: the scene, the cache, one viewpoint and the geometry.
 bool vtkCSLFEncoder::UpdateInputs()
 {
   const auto inputs = cslf::FindInputs(this);
@@ -356,9 +373,8 @@ bool vtkCSLFEncoder::UpdateInputs()
       return true;
     }
     // What follows begins here. The executive also reports 0 before it.
-    const bool isTracer = vtkCSLFPathTracer::SafeDownCast(input) != nullptr;
-    const double share =
-      std::max(this->GetProgress(), isTracer ? InputProgress * input->GetProgress() : 0.0);
+    const double share = std::max(
+      this->GetProgress(), GetBakeQuality(input) ? InputProgress * input->GetProgress() : 0.0);
     this->SetProgressShiftScale(share, 1.0 - share);
     this->SetProgressText(input->GetProgressText());
     this->UpdateProgress(0.0);
@@ -407,7 +423,7 @@ void vtkCSLFEncoder::WriteRequested()
   }
   const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   cslf::EncodeSession session(this->MakeJob());
-  if (session.Check(this->FindFault()))
+  if (session.Check(this->FindError()))
   {
     session.Write(true);
   }

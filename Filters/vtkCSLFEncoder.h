@@ -89,7 +89,7 @@ namespace cslf
 {
 class EncodeSession;
 struct Description;
-struct EncodeFault;
+struct EncodeError;
 struct EncodeJob;
 struct FilePart;
 }
@@ -322,7 +322,8 @@ private:
     const std::vector<cslf::FilePart>& others);
 
   class PartList;
-  cslf::EncodeFault FindFault();
+  std::string FindPreset();
+  cslf::EncodeError FindError();
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeSession& session);
   bool CopyPart(const char* type, vtkUnsignedCharArray* bytes, const char* name);

@@ -4,7 +4,7 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfPSNR.h"
@@ -227,10 +227,10 @@ void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
 
 /// The slices of `whole` in an order that suits the field that is a video, or the first one if both
 /// are.
-std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab& whole)
+std::vector<cslf::Slab> PlanSlabs(cslf::FieldStream streams[2], const cslf::Slab& whole)
 {
   const auto isWanted = [&whole](int slice) { return slice >= whole.First && slice <= whole.Last; };
-  const int chosen = !streams[0].IsVideo() && streams[1].IsVideo() ? 1 : 0;
+  const int chosen = !streams[0].IsOrdered() && streams[1].IsOrdered() ? 1 : 0;
   std::vector<cslf::Slab> slabs = streams[chosen].PlanSlabs(isWanted);
   streams[0].Announce(slabs);
   streams[1].Announce(slabs);
@@ -238,7 +238,7 @@ std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab&
 }
 
 /// Compares the fields. On failure returns the reason, which is empty if it was reported already.
-bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Figure>& figures,
+bool Compare(cslf::FieldStream streams[2], vtkAlgorithm* progress, std::vector<Figure>& figures,
   std::string& error)
 {
   cslf::Slab whole;
@@ -321,8 +321,8 @@ int vtkCSLFFieldQuality::Measure()
     vtkErrorMacro("Two fields must be given.");
     return 0;
   }
-  cslf::SlabStream streams[2] = { cslf::SlabStream(this->GetInputConnection(0, 0)),
-    cslf::SlabStream(this->GetInputConnection(1, 0)) };
+  cslf::FieldStream streams[2] = { cslf::FieldStream(this->GetInputConnection(0, 0)),
+    cslf::FieldStream(this->GetInputConnection(1, 0)) };
   std::string error;
   this->InvokeEvent(vtkCommand::StartEvent);
   std::string problem;

@@ -3,12 +3,12 @@
 #include "vtkCSLFFieldReference.h"
 
 #include "Options/cslfOptionTable.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
-#include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfPSNR.h"
@@ -125,7 +125,7 @@ public:
   /// Takes the chosen texels' colours from the field.
   bool Read(vtkAlgorithmOutput* connection)
   {
-    cslf::SlabStream stream(connection);
+    cslf::FieldStream stream(connection);
     bool isRead = stream.Open();
     std::vector<cslf::Slab> slabs;
     if (isRead)
@@ -220,7 +220,7 @@ private:
     return true;
   }
 
-  void TakeColor(const cslf::SlabStream& stream, vtkIdType k)
+  void TakeColor(const cslf::FieldStream& stream, vtkIdType k)
   {
     const cslf::Channel& channel = *stream.GetDescription().FindChannel(cslf::KnownChannel::Color);
     const unsigned char* texel = stream.GetSlice(channel, this->GetSlice(k)) +

@@ -80,7 +80,7 @@ glm::dmat4 ReadTransform(const GLTFValue& node)
 class Builder
 {
 public:
-  Builder(GLTFDocument& document, GLTFProblems& problems)
+  Builder(GLTFDocument& document, GLTFErrors& problems)
     : Document(document)
     , Problems(problems)
     , Primitives(document, problems)
@@ -209,7 +209,7 @@ private:
   }
 
   GLTFDocument& Document;
-  GLTFProblems& Problems;
+  GLTFErrors& Problems;
   GLTFPrimitives Primitives;
   std::vector<PendingNode> Pending;
   std::set<std::size_t> Visited;
@@ -219,7 +219,7 @@ private:
 /// The primitives of the nodes of the document's default scene, in world coordinates. Collects what
 /// is invalid or not supported in the file.
 std::vector<vtkSmartPointer<vtkPolyData>> MakeGLTFBlocks(
-  GLTFDocument& document, GLTFProblems& problems)
+  GLTFDocument& document, GLTFErrors& problems)
 {
   return Builder(document, problems).Build();
 }
@@ -251,7 +251,7 @@ int vtkCSLFGLTFReader::RequestData(
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     return 0;
   }
-  cslf::GLTFProblems problems;
+  cslf::GLTFErrors problems;
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   std::string error;
   cslf::Guard(

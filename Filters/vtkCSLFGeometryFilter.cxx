@@ -11,12 +11,12 @@
 #include "Geometry/cslfViewpointChoice.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
@@ -46,11 +46,11 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 /// The most viewpoints along a side of a face, if they are nested.
-constexpr int MostViewpoints = 9;
+constexpr int ViewpointLimit = 9;
 
 /// The most texels along a side of a tile, and of all viewpoints.
-constexpr int MostResolution = 256;
-constexpr double MostStoredTexels = 256.0 * 1024 * 1024;
+constexpr int ResolutionLimit = 256;
+constexpr double MaximumStoredTexels = 256.0 * 1024 * 1024;
 
 /// The number of places where the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
@@ -70,8 +70,9 @@ constexpr double ChosenShare = 0.5;
 int ChooseResolution(const cslf::Layout& grid, std::size_t views)
 {
   const double fitting =
-    std::sqrt(MostStoredTexels / (cslf::TileCount * std::max(1.0, double(views))));
-  return std::max(1, std::min({ grid.GetResolution(), MostResolution, static_cast<int>(fitting) }));
+    std::sqrt(MaximumStoredTexels / (cslf::TileCount * std::max(1.0, double(views))));
+  return std::max(
+    1, std::min({ grid.GetResolution(), ResolutionLimit, static_cast<int>(fitting) }));
 }
 
 /// The hash of a field's scene, if the sampler has recorded it.
@@ -87,11 +88,10 @@ std::string GetScene(const cslf::Description& field)
 class vtkCSLFGeometryFilter::Pass
 {
 public:
-  Pass(vtkCSLFGeometryFilter* self, vtkInformation* input)
+  explicit Pass(vtkCSLFGeometryFilter* self)
     : Self(self)
-    , Input(input)
+    , Input(self->GetInputConnection(0, 0))
   {
-    input->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
   }
 
   /// Null after an error, which it reports, and if the filter was asked to stop.
@@ -104,11 +104,11 @@ public:
     }
     cslf::SurfaceMesh mesh;
     const cslf::SurfaceError error = this->MakeMesh(mesh);
-    const glm::dvec3& edges = this->Field->Box.Edges;
+    const glm::dvec3& edges = this->Field.Box.Edges;
     const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
-    vtkSmartPointer<vtkPolyData> geometry = cslf::MakeGeometryData(mesh, this->Field->Box.Center,
-      glm::dvec3(half), { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
-    const cslf::Channel* color = this->Field->FindChannel(cslf::KnownChannel::Color);
+    vtkSmartPointer<vtkPolyData> geometry = cslf::MakeGeometryData(mesh, this->Field.Box.Center,
+      glm::dvec3(half), { half * error.RootMeanSquare, error.Loss, GetScene(this->Field) });
+    const cslf::Channel* color = this->Field.FindChannel(cslf::KnownChannel::Color);
     if (color && !this->ReadColors(mesh, color->Type, geometry))
     {
       return nullptr;
@@ -158,9 +158,9 @@ private:
         const double share = done + (next - done) * producer->GetProgress();
         return phase.ReportFor(producer, share);
       });
-    const double texels = (this->Whole[1] + 1.0) * (this->Whole[3] + 1.0);
-    const auto most = static_cast<std::size_t>(std::max(
-      1.0, cslf::PulledBytes / (static_cast<double>(this->Field->GetTexelBytes()) * texels)));
+    const auto bytes =
+      static_cast<double>(this->Field.GetTexelBytes() * this->Field.Grid.GetStripTexels());
+    const auto most = static_cast<std::size_t>(std::max(1.0, cslf::PulledBytes / bytes));
     for (std::size_t begin = 0; begin < slices.size();)
     {
       std::size_t end = begin + 1;
@@ -171,17 +171,17 @@ private:
       const double each = (1.0 - before) / static_cast<double>(slices.size());
       done = before + each * static_cast<double>(begin);
       next = before + each * static_cast<double>(end);
-      const vtkSmartPointer<vtkImageData> image = this->Pull(slices[begin], slices[end - 1]);
-      if (!image)
+      if (!this->Read({ slices[begin], slices[end - 1] }))
       {
         return false;
       }
-      const std::vector<int> missing = cslf::GetMissing(image, this->Field->Grid.GetSlices());
+      vtkImageData* image = this->Input.GetImage();
+      const std::vector<int> missing = cslf::GetMissing(image, this->Field.Grid.GetSlices());
       const cslf::ViewpointSamples samples(image);
       for (; begin < end; ++begin)
       {
         const int slice = slices[begin];
-        const auto start = static_cast<vtkIdType>(this->Field->Grid.GetStripTexels()) *
+        const auto start = static_cast<vtkIdType>(this->Field.Grid.GetStripTexels()) *
           (slice - image->GetExtent()[4]);
         visit(slice, samples.At(start), std::binary_search(missing.begin(), missing.end(), slice));
       }
@@ -193,46 +193,47 @@ private:
     return true;
   }
 
-  vtkSmartPointer<vtkImageData> Pull(int first, int last)
+  /// False after an error, which it reports, and if the filter was asked to stop.
+  bool Read(const cslf::Slab& slab)
   {
-    std::string error;
-    vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->Input, first, last, error);
+    const bool isRead = this->Input.Read(slab);
     if (cslf::IsAborted(this->Self))
     {
-      return nullptr;
+      return false;
     }
-    const auto field = image ? cslf::Description::ReadFrom(image, error) : std::nullopt;
-    if (field && this->Field && field->ToText() != this->Field->ToText())
+    this->Field = this->Input.GetDescription();
+    const bool hasDepth = isRead && this->Field.FindChannel(cslf::KnownChannel::Depth);
+    if (!hasDepth)
     {
-      error = "The input's description changes between its parts.";
+      const std::string& error = this->Input.GetError();
+      vtkErrorWithObjectMacro(
+        this->Self, << (isRead ? "The light field has no depth, which the geometry is made from."
+                        : error.empty() ? "The input did not deliver the requested viewpoints."
+                                        : error));
     }
-    else if (field && !field->FindChannel(cslf::KnownChannel::Depth))
-    {
-      error = "The light field has no depth, which the geometry is made from.";
-    }
-    if (!error.empty() || !field)
-    {
-      vtkErrorWithObjectMacro(this->Self, << error);
-      return nullptr;
-    }
-    this->Field = field;
-    return image;
+    return hasDepth;
   }
 
   bool ReadDepths()
   {
-    if (!this->Pull(this->Whole[4], this->Whole[4]))
+    if (!this->Input.OpenUpdated())
+    {
+      vtkErrorWithObjectMacro(this->Self, << this->Input.GetError());
+      return false;
+    }
+    const cslf::Slab& whole = this->Input.GetWhole();
+    if (!this->Read({ whole.First, whole.First }))
     {
       return false;
     }
-    std::vector<int> slices = cslf::ChooseSlices(this->Field->Grid, MostViewpoints);
+    std::vector<int> slices = cslf::ChooseSlices(this->Field.Grid, ViewpointLimit);
     slices.erase(std::remove_if(slices.begin(), slices.end(),
-                   [this](int slice) { return slice < this->Whole[4] || slice > this->Whole[5]; }),
+                   [&whole](int slice) { return slice < whole.First || slice > whole.Last; }),
       slices.end());
-    const cslf::Layout& grid = this->Field->Grid;
+    const cslf::Layout& grid = this->Field.Grid;
     this->Views.emplace(
       cslf::Layout(grid.GetBaseNodes(), grid.GetNodes(), ChooseResolution(grid, slices.size())),
-      this->Field->Box);
+      this->Field.Box);
     cslf::Phase phase(this->Self, "Reading depths", ReadProgress);
     return this->Visit(slices, phase,
       [&](int slice, const cslf::ViewpointSamples& samples, bool isMissing)
@@ -263,7 +264,7 @@ private:
       [&](int slice, const cslf::ViewpointSamples& samples, bool)
       {
         const auto place = std::lower_bound(slices.begin(), slices.end(), slice) - slices.begin();
-        colors.Read(views[place], this->Field->Grid.GetResolution(), samples);
+        colors.Read(views[place], this->Field.Grid.GetResolution(), samples);
       });
     if (isDone)
     {
@@ -273,9 +274,8 @@ private:
   }
 
   vtkCSLFGeometryFilter* Self;
-  vtkInformation* Input;
-  int Whole[6] = { 0, -1, 0, -1, 0, -1 };
-  std::optional<cslf::Description> Field;
+  cslf::FieldStream Input;
+  cslf::Description Field;
   std::optional<cslf::DepthViews> Views;
 };
 
@@ -350,7 +350,6 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
 int vtkCSLFGeometryFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (cslf::IsPortWanted(outputVector, 0))
   {
@@ -375,7 +374,7 @@ int vtkCSLFGeometryFilter::RequestData(
     cslf::Guard(
       [&]
       {
-        this->Geometry = Pass(this, input).Run();
+        this->Geometry = Pass(this).Run();
         return true;
       },
       problem);

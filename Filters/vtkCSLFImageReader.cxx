@@ -6,10 +6,10 @@
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfJoin.h"
 

@@ -6,9 +6,9 @@
 
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfAtomicFile.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>
@@ -45,7 +45,7 @@ bool HasRoom(const std::string& folder, int done, int all, std::string& error)
 }
 
 /// False after an error, and if `progress` returns false.
-bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std::string& folder,
+bool WriteSlab(const cslf::FieldStream& stream, const cslf::Slab& slab, const std::string& folder,
   const cslf::Progress& progress, std::string& error)
 {
   const cslf::Description& description = stream.GetDescription();
@@ -141,7 +141,7 @@ bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& erro
     });
   const auto report = [&](double share)
   { return phase.Report(done + (next - done) * (ReadShare + (1.0 - ReadShare) * share)); };
-  cslf::SlabStream stream(this->GetInputConnection(0, 0));
+  cslf::FieldStream stream(this->GetInputConnection(0, 0));
   bool isGood = stream.Open();
   const cslf::Slab& whole = stream.GetWhole();
   std::vector<cslf::Slab> slabs;

@@ -12,6 +12,7 @@
 #include "PathTracing/Texels/cslfArithmetic.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfColor.h"
@@ -47,7 +48,6 @@
 #include <vector>
 
 vtkCxxSetObjectMacro(vtkCSLFPathTracer, Controller, vtkMultiProcessController);
-cslfGuardedRequestMacro(vtkCSLFPathTracer);
 
 namespace options = cslf::options;
 
@@ -217,9 +217,23 @@ vtkExecutive* vtkCSLFPathTracer::CreateDefaultExecutive()
   executive->MeetAsFailed = [this]
   {
     std::string error = "its input has failed.";
-    cslf::ShareFault(this->Controller, error);
+    cslf::ShareError(this->Controller, error);
   };
   return executive;
+}
+
+vtkTypeBool vtkCSLFPathTracer::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      cslf::SetBakeQuality(outputs->GetInformationObject(port), this->Quality);
+    }
+  }
+  return cslf::GuardRequest(this, request, outputs,
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 vtkMTimeType vtkCSLFPathTracer::GetMTime()

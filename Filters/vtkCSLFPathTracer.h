@@ -64,7 +64,6 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
-class CacheKeeper;
 class CacheShare;
 class ViewpointSamples;
 struct BuiltScene;
@@ -382,12 +381,6 @@ public:
   vtkGetMacro(CacheProbeSeconds, double);
   vtkGetMacro(ExpectedCacheSeconds, double);
   ///@}
-
-  /**
-   * Lends a keeper of radiance caches, for consumers such as vtkCSLFEncoder that wait until it is
-   * used: if it is not null, the next update executes. Default: null.
-   */
-  void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
 protected:
   vtkCSLFPathTracer();

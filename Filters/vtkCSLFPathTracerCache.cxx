@@ -8,6 +8,7 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfRequests.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFPathTracerInternals.h"
@@ -43,15 +44,6 @@ void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
   {
     this->CacheProbeSeconds = seconds;
     this->Internals->IsProbe = false;
-    this->Modified();
-  }
-}
-
-void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
-{
-  this->Internals->CacheKeeper = keeper;
-  if (keeper)
-  {
     this->Modified();
   }
 }
@@ -120,7 +112,7 @@ bool vtkCSLFPathTracer::UpdateCache(
   using Plan = cslf::CacheKeeper::Plan;
   const std::string key = this->MakeCacheKey(spacing, displayRange);
   const bool isThere = this->Internals->CacheKey == key;
-  cslf::CacheKeeper* keeper = this->Internals->CacheKeeper;
+  cslf::CacheKeeper* keeper = cslf::BorrowCacheKeeper(this->GetOutputInformation(0));
   // Ranks make and check a cache together only if they check it at the same texels.
   std::string shared = key;
   if (checked)

@@ -24,7 +24,6 @@ struct vtkCSLFPathTracer::vtkInternals
 {
   vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
-  cslf::CacheKeeper* CacheKeeper = nullptr; // lent by a consumer of the output
   vtkSmartPointer<vtkCSLFEnvironment> Environment = vtkSmartPointer<vtkCSLFEnvironment>::New();
   vtkSmartPointer<vtkCSLFRadianceCacheOptions> CacheOptions =
     vtkSmartPointer<vtkCSLFRadianceCacheOptions>::New();

@@ -4,12 +4,12 @@
 
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Resampling/cslfNesting.h"
 #include "Resampling/cslfTexelReducer.h"
@@ -64,19 +64,22 @@ int GetSlicesAtOnce(const int extent[6])
 class vtkCSLFResample::Pass
 {
 public:
-  Pass(vtkCSLFResample* self, vtkInformation* inInfo, const cslf::Nesting& nesting,
-    vtkImageData* output)
+  Pass(vtkCSLFResample* self, const cslf::Nesting& nesting, vtkImageData* output)
     : Self(self)
-    , InInfo(inInfo)
     , Nesting(nesting)
     , Output(output)
+    , Input(self->GetInputConnection(0, 0))
   {
-    inInfo->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
+    self->GetInputInformation(0, 0)->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
   }
 
   /// False on failure, which it reports. An abort leaves the output empty.
   bool Run(const cslf::Slab& slices)
   {
+    if (!this->Input.OpenUpdated())
+    {
+      return this->Fail(this->Input.GetError());
+    }
     cslf::Phase phase(this->Self, "Resampling viewpoints");
     double done = 0.0;
     double next = 0.0;
@@ -91,18 +94,23 @@ public:
       const int last = this->Nesting.FindEnd(first, slices.Last, GetSlicesAtOnce(this->Whole));
       done = static_cast<double>(first - slices.First) / slices.GetCount();
       next = (last + 1.0 - slices.First) / slices.GetCount();
-      const vtkSmartPointer<vtkImageData> input =
-        this->Pull(this->Nesting.ToInput(first), this->Nesting.ToInput(last));
+      const bool isRead =
+        this->Input.Read({ this->Nesting.ToInput(first), this->Nesting.ToInput(last) });
       if (cslf::IsAborted(this->Self))
       {
         this->Output->Initialize();
         return true;
       }
-      if (!input || !this->Begin(input, slices))
+      if (!isRead)
       {
-        return false;
+        return this->Fail(this->Input.GetError());
       }
-      const cslf::TexelReducer reducer(*this->Field, this->Self->ResolutionDivisor);
+      if (first == slices.First)
+      {
+        this->AllocateOutput(slices);
+      }
+      vtkImageData* input = this->Input.GetImage();
+      const cslf::TexelReducer reducer(this->Input.GetDescription(), this->Self->ResolutionDivisor);
       const auto report = [&](double share)
       { return phase.Report(done + (next - done) * (PullShare + (1.0 - PullShare) * share)); };
       const bool isGoing = cslf::ParallelFor(first, last + 1, report,
@@ -128,7 +136,8 @@ public:
 private:
   void NoteMissing(vtkImageData* input, int first, int last)
   {
-    const std::vector<int> missing = cslf::GetMissing(input, this->Field->Grid.GetSlices());
+    const std::vector<int> missing =
+      cslf::GetMissing(input, this->Input.GetDescription().Grid.GetSlices());
     for (int slice = first; slice <= last; ++slice)
     {
       if (std::binary_search(missing.begin(), missing.end(), this->Nesting.ToInput(slice)))
@@ -140,50 +149,25 @@ private:
 
   bool Fail(const std::string& error)
   {
-    vtkErrorWithObjectMacro(this->Self, << error);
+    vtkErrorWithObjectMacro(this->Self,
+      << (error.empty() ? "The input did not deliver the requested viewpoints." : error));
     this->Output->Initialize();
     return false;
   }
 
-  vtkSmartPointer<vtkImageData> Pull(int first, int last)
+  void AllocateOutput(const cslf::Slab& slices)
   {
-    std::string error;
-    vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->InInfo, first, last, error);
-    if (!image && !cslf::IsAborted(this->Self))
-    {
-      this->Fail(error);
-    }
-    return image;
-  }
-
-  /// Checks the pulled slices. Makes the output the first time.
-  bool Begin(vtkImageData* input, const cslf::Slab& slices)
-  {
-    std::string error;
-    auto field = cslf::Description::ReadFrom(input, error);
-    if (!field)
-    {
-      return this->Fail(error);
-    }
-    if (this->Field)
-    {
-      return field->ToText() == this->Field->ToText() ||
-        this->Fail("The input's description changes between its parts.");
-    }
-    this->Field = field;
-    const cslf::Description coarse = this->Nesting.Apply(*field);
+    const cslf::Description coarse = this->Nesting.Apply(this->Input.GetDescription());
     cslf::AllocateSlices(coarse, slices.First, slices.Last, this->Output);
     coarse.WriteTo(this->Output->GetFieldData());
-    return true;
   }
 
   vtkCSLFResample* Self;
-  vtkInformation* InInfo;
   const cslf::Nesting& Nesting;
   vtkImageData* Output;
+  cslf::FieldStream Input;
   int Whole[6];
-  std::optional<cslf::Description> Field; ///< the input's
-  vtkNew<vtkIdTypeArray> Missing;         ///< slices of the output
+  vtkNew<vtkIdTypeArray> Missing; ///< slices of the output
 };
 
 int vtkCSLFResample::RequestInformation(
@@ -233,9 +217,7 @@ int vtkCSLFResample::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   int asked[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), asked);
-  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
-  Pass pass(
-    this, inputVector[0]->GetInformationObject(0), *nesting, vtkImageData::GetData(outInfo));
+  Pass pass(this, *nesting, vtkImageData::GetData(outInfo));
   std::string problem;
   const bool isDone = cslf::Guard([&] { return pass.Run({ asked[4], asked[5] }); }, problem);
   if (!problem.empty())
@@ -251,7 +233,7 @@ std::optional<cslf::Nesting> vtkCSLFResample::MakeNesting(vtkInformationVector**
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   inputVector[0]->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT(), extent);
   const cslf::Nesting nesting(extent, this->ResolutionDivisor, this->ViewpointStride);
-  const std::string fault = nesting.FindFault();
+  const std::string fault = nesting.FindError();
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);

@@ -7,14 +7,14 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/Geometry/cslfGeometryMaker.h"
 #include "PathTracing/RadianceCache/cslfCacheCheck.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
-#include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
@@ -225,7 +225,7 @@ bool vtkCSLFSampler::Describe(const cslf::BuiltScene& scene, cslf::Description& 
       description.Channels.push_back(cslf::MakeChannel(id));
     }
   }
-  const std::string fault = description.FindFault();
+  const std::string fault = description.FindError();
   if (!fault.empty())
   {
     vtkErrorMacro("The light field cannot be sampled: " << fault << ".");
@@ -271,7 +271,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   {
     return;
   }
-  const std::string fault = cslf::FindGeometryFault(*scene.World);
+  const std::string fault = cslf::FindGeometryError(*scene.World);
   if (!fault.empty())
   {
     vtkWarningMacro(

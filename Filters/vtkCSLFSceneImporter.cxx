@@ -6,11 +6,11 @@
 
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfPhase.h"
+#include "SceneData/cslfWindowLights.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
 #include "SceneImport/cslfLightImporter.h"
-#include "SceneImport/cslfWindowLights.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
@@ -541,12 +541,10 @@ int vtkCSLFSceneImporter::RequestData(
   {
     vtkWarningMacro("Parts of the scene were left out: " << omitted << ".");
   }
-  for (const std::string& text : { scene.Old.ToText(), scene.Materials.ToText() })
+  const std::string materials = scene.Materials.ToText();
+  if (!materials.empty())
   {
-    if (!text.empty())
-    {
-      vtkWarningMacro(<< text);
-    }
+    vtkWarningMacro(<< materials);
   }
   return 1;
 }

@@ -111,7 +111,7 @@ private:
   {
     if (data->GetFieldData()->GetAbstractArray(cslf::Description::FieldDataName))
     {
-      throw cslf::LookProblem("The data is a light field, not a scene.");
+      throw cslf::LookError("The data is a light field, not a scene.");
     }
     auto surface = vtkSmartPointer<vtkPolyData>::New();
     if (vtkPolyData::SafeDownCast(data))
@@ -326,7 +326,7 @@ int vtkCSLFSceneLook::RequestData(
     coloring.Apply(this->Legend);
     this->HasLights = copier.HasLights;
   }
-  catch (const cslf::LookProblem& problem)
+  catch (const cslf::LookError& problem)
   {
     vtkErrorMacro(<< problem.what());
     output->Initialize();

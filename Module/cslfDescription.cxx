@@ -32,7 +32,7 @@ bool IsName(const std::string& name)
     std::all_of(name.begin(), name.end(), isPrintable);
 }
 
-std::string FindFault(const Channel& channel)
+std::string FindError(const Channel& channel)
 {
   if (!IsName(channel.Name) || !(channel.Encoding.empty() || IsName(channel.Encoding)))
   {
@@ -49,7 +49,7 @@ std::string FindFault(const Channel& channel)
                                                               : std::string();
 }
 
-std::string FindFault(const std::vector<Channel>& channels)
+std::string FindError(const std::vector<Channel>& channels)
 {
   if (channels.size() > MaximumChannels)
   {
@@ -58,7 +58,7 @@ std::string FindFault(const std::vector<Channel>& channels)
   std::set<std::string> names;
   for (const Channel& channel : channels)
   {
-    std::string fault = FindFault(channel);
+    std::string fault = FindError(channel);
     if (!fault.empty())
     {
       return fault;
@@ -71,7 +71,7 @@ std::string FindFault(const std::vector<Channel>& channels)
   return {};
 }
 
-std::string FindFault(const Cube& box)
+std::string FindError(const Cube& box)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -91,7 +91,7 @@ std::string FindFault(const Cube& box)
   return {};
 }
 
-std::string FindFault(const Cube& box, const std::array<double, 6>& bounds)
+std::string FindError(const Cube& box, const std::array<double, 6>& bounds)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -127,18 +127,18 @@ std::int64_t Description::GetBytes() const
     this->Grid.GetSlices();
 }
 
-std::string Description::FindFault() const
+std::string Description::FindError() const
 {
   if (!this->Grid.IsValid())
   {
     return "its viewpoint nodes or its resolution are not valid";
   }
-  std::string fault = cslf::FindFault(this->Box);
+  std::string fault = cslf::FindError(this->Box);
   if (fault.empty() && this->SceneBounds)
   {
-    fault = cslf::FindFault(this->Box, *this->SceneBounds);
+    fault = cslf::FindError(this->Box, *this->SceneBounds);
   }
-  fault = fault.empty() ? cslf::FindFault(this->Channels) : fault;
+  fault = fault.empty() ? cslf::FindError(this->Channels) : fault;
   if (!fault.empty())
   {
     return fault;
@@ -285,7 +285,7 @@ Description Parse(const JSON& json)
     throw std::invalid_argument("its \"sampling\" is not an object");
   }
   description.Sampling = sampling.dump();
-  const std::string fault = description.FindFault();
+  const std::string fault = description.FindError();
   if (!fault.empty())
   {
     throw std::invalid_argument(fault);
@@ -407,7 +407,7 @@ std::optional<Description> Description::FromJSON(const nlohmann::json& json, std
   catch (const std::exception& exception)
   {
     error =
-      std::string("The light field's description cannot be used: ") + DescribeProblem(exception);
+      std::string("The light field's description cannot be used: ") + DescribeException(exception);
     return std::nullopt;
   }
 }

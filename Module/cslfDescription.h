@@ -90,7 +90,7 @@ struct VTKCSLF_EXPORT Description
   /// Says in a few words what is invalid: a grid, a cube or bounds outside their limits, `Color` or
   /// `Depth` of an unknown type, two channels of one name, or too many bytes. Empty if the
   /// description is valid. All readers of descriptions check this.
-  std::string FindFault() const;
+  std::string FindError() const;
 
   nlohmann::json ToJSON() const;
   std::string ToText() const;

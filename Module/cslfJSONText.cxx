@@ -61,7 +61,7 @@ JSON ParseJSON(const std::string& text, std::string* error)
   }
 }
 
-std::string DescribeProblem(const std::exception& exception)
+std::string DescribeException(const std::exception& exception)
 {
   const std::string text = exception.what();
   const std::size_t end = text.find("] ");

@@ -32,7 +32,7 @@ VTKCSLF_EXPORT nlohmann::json ParseJSON(const std::string& text, std::string* er
 
 /// What is wrong, in a few words: the message of an exception without what the JSON library puts in
 /// front of its own ones.
-VTKCSLF_EXPORT std::string DescribeProblem(const std::exception& exception);
+VTKCSLF_EXPORT std::string DescribeException(const std::exception& exception);
 
 /// Whether a value is a whole number that the type can hold.
 template <typename Integer>

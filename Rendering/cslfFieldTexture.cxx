@@ -22,14 +22,14 @@ namespace
 /// Space for cameras that see more than one camera can from outside: for several of them, then for
 /// all faces, as from inside the cube.
 constexpr int AllBlocks = FaceCount * TileCount;
-constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, AllBlocks };
+constexpr int BlockSteps[] = { Residency::MinimumBlocks, 18, AllBlocks };
 
 /// The targets of the textures, in the order of the texture units.
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
   GL_TEXTURE_3D };
 
 /// The number of viewpoints along a side of a face that is enough to find all surfaces.
-constexpr int MostSceneNodes = 25;
+constexpr int MaximumSceneNodes = 25;
 
 /// Texels of a table per cell.
 constexpr int TableTexels = 2;
@@ -53,11 +53,11 @@ void SetNearest(GLenum target)
 }
 }
 
-void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
+void FieldTexture::SetStore(std::shared_ptr<FieldStore> store)
 {
-  this->Source = std::move(source);
+  this->Store = std::move(store);
   this->Present = Residency();
-  this->Scene = SceneGrid(this->Source->GetDescription());
+  this->Scene = SceneGrid(this->Store->GetDescription());
   this->IsSceneNew = true;
   this->OffSurfaces.reset();
   this->Surfaces.reset();
@@ -78,7 +78,7 @@ void FieldTexture::SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfac
   {
     this->Present = Residency();
     this->IsSceneNew = true;
-    this->OffSurfaces.emplace(this->Source->GetDescription(), surfaces);
+    this->OffSurfaces.emplace(this->Store->GetDescription(), surfaces);
   }
 }
 
@@ -141,7 +141,7 @@ int FieldTexture::ChooseBlocks(const std::vector<ViewFrustum>& frustums,
     return *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
       [needed](int most) { return needed <= most; });
   };
-  const Description& field = this->Source->GetDescription();
+  const Description& field = this->Store->GetDescription();
   const int viewpoints = field.Grid.GetViewpoints() * field.Grid.GetViewpoints();
   const int blocks = choose(std::max(1, Residency::CountBlocks(frustums)));
   const int more = choose(std::max(1, Residency::CountBlocks(recent)));
@@ -164,7 +164,7 @@ bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums,
   this->Limit = pace.Limit;
   this->IsFirst = isFirst;
   this->IsChanged = true;
-  const Description& field = this->Source->GetDescription();
+  const Description& field = this->Store->GetDescription();
   const int side = isFirst ? static_cast<int>(CoarsestNodes(field.Grid.GetViewpoints()).size())
                            : field.Grid.GetViewpoints();
   if (!this->Pool.Create(field, blocks, side * side, pace.Limit))
@@ -172,7 +172,7 @@ bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums,
     return false;
   }
   this->Present = Residency(field.Grid, blocks, this->Pool.GetSlots());
-  for (int slice : this->Source->GetMissing())
+  for (int slice : this->Store->GetMissing())
   {
     this->Present.SetDamaged(slice);
   }
@@ -181,7 +181,7 @@ bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums,
 
 void FieldTexture::Load(const WantedTiles& wanted)
 {
-  const ViewpointSamples samples = this->Source->Get(wanted.Slice);
+  const ViewpointSamples samples = this->Store->Get(wanted.Slice);
   this->IsChanged = true;
   if (samples.IsEmpty())
   {
@@ -189,7 +189,7 @@ void FieldTexture::Load(const WantedTiles& wanted)
     ++this->Damaged;
     return;
   }
-  const int face = this->Source->GetDescription().Grid.ViewpointOf(wanted.Slice).Face;
+  const int face = this->Store->GetDescription().Grid.ViewpointOf(wanted.Slice).Face;
   for (int tile = 0; tile < TileCount; ++tile)
   {
     if (wanted.Tiles & (1 << tile))
@@ -200,7 +200,7 @@ void FieldTexture::Load(const WantedTiles& wanted)
   }
   ++this->Brought;
   this->Present.SetPresent(wanted.Slice, wanted.Tiles);
-  if (this->Present.CountNodes(wanted.Level) <= MostSceneNodes)
+  if (this->Present.CountNodes(wanted.Level) <= MaximumSceneNodes)
   {
     this->Scene.Add(wanted.Slice, samples, wanted.Tiles);
     if (this->OffSurfaces)
@@ -216,19 +216,19 @@ void FieldTexture::LoadAll()
   while (!missing.empty())
   {
     std::vector<int> slices = ListSlices(missing);
-    this->Source->Sort(slices);
-    this->Source->Prefetch(slices);
-    this->Source->Wait();
+    this->Store->Sort(slices);
+    this->Store->Prefetch(slices);
+    this->Store->Wait();
     bool isAnyReady = false;
     for (const WantedTiles& wanted : missing)
     {
-      if (this->Source->IsReady(wanted.Slice))
+      if (this->Store->IsReady(wanted.Slice))
       {
         isAnyReady = true;
         this->Load(wanted);
       }
     }
-    // A source without enough memory keeps nothing ready.
+    // A store without enough memory keeps nothing ready.
     if (!isAnyReady)
     {
       this->Load(missing.front());
@@ -249,21 +249,21 @@ void FieldTexture::LoadSome(const TexturePace& pace)
   const std::vector<WantedTiles> coarsest(missing.begin(), finer);
   if (!coarsest.empty())
   {
-    this->Source->Prefetch(ListSlices(coarsest));
+    this->Store->Prefetch(ListSlices(coarsest));
     if (pace.Begins)
     {
       return;
     }
-    this->Source->Wait();
+    this->Store->Wait();
   }
-  this->Source->Prefetch(ListSlices(missing));
+  this->Store->Prefetch(ListSlices(missing));
   for (const WantedTiles& wanted : missing)
   {
     if (wanted.Level > 0 && Clock::now() > end)
     {
       break;
     }
-    if (wanted.Level == 0 || this->Source->IsReady(wanted.Slice))
+    if (wanted.Level == 0 || this->Store->IsReady(wanted.Slice))
     {
       this->Load(wanted);
     }
@@ -276,7 +276,7 @@ void FieldTexture::LoadSome(const TexturePace& pace)
 bool FieldTexture::MakeTables()
 {
   bool isAnyChanged = false;
-  const int cells = this->Source->GetDescription().Grid.GetBaseNodes() - 1;
+  const int cells = this->Store->GetDescription().Grid.GetBaseNodes() - 1;
   for (int face = 0; face < FaceCount; ++face)
   {
     const bool isSeen = std::any_of(this->Frustums.begin(), this->Frustums.end(),
@@ -362,7 +362,7 @@ void FieldTexture::Deactivate()
 
 void FieldTexture::SetUniforms(vtkShaderProgram* program, int entryFace) const
 {
-  const Layout& grid = this->Source->GetDescription().Grid;
+  const Layout& grid = this->Store->GetDescription().Grid;
   const glm::vec3 minimum(this->Scene.GetMinimum());
   const glm::vec3 maximum(this->Scene.GetMaximum());
   program->SetUniformi("ColorTexture", this->Units[0]);

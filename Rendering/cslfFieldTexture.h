@@ -8,7 +8,7 @@
 #define cslfFieldTexture_h
 
 #include "Lookup/cslfSceneGrid.h"
-#include "Pipeline/cslfViewpointSource.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "cslfDescription.h"
 #include "cslfResidency.h"
 #include "cslfTilePool.h"
@@ -48,7 +48,7 @@ public:
   FieldTexture& operator=(const FieldTexture&) = delete;
 
   /// Sets the field. Samples in graphics memory become outdated.
-  void SetSource(std::shared_ptr<ViewpointSource> source);
+  void SetStore(std::shared_ptr<FieldStore> store);
 
   /// Sets where a geometry is that has only the opaque surfaces, or null. Samples in graphics
   /// memory become outdated if it changes, because what they see elsewhere is not known then.
@@ -63,26 +63,26 @@ public:
   /// Whether all samples for the cameras of the last Update are there, as far as they fit.
   bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
 
-  /// Whether nothing was loaded since the source was set.
+  /// Whether nothing was loaded since the store was set.
   bool IsEmpty() const { return !this->HasLoaded; }
 
   /// Whether all required viewpoints are among those that are known to be missing.
   bool LacksAll() const
   {
-    return this->HasLoaded && this->Brought == 0 && !this->Source->GetMissing().empty();
+    return this->HasLoaded && this->Brought == 0 && !this->Store->GetMissing().empty();
   }
 
   /// How many required viewpoints turned out to be damaged, and how many intact.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
   int GetNumberOfViewpoints() const { return this->Brought; }
 
-  /// What is known about the positions of the scene's surfaces, after a source was set.
+  /// What is known about the positions of the scene's surfaces, after a store was set.
   const SceneGrid& GetScene() const { return this->Scene; }
 
   /// A number that changes with the uploaded samples.
   unsigned int GetChanges() const { return this->Changes; }
 
-  const Description& GetField() const { return this->Source->GetDescription(); }
+  const Description& GetField() const { return this->Store->GetDescription(); }
 
   /// The size of the samples in graphics memory, in bytes.
   std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
@@ -113,7 +113,7 @@ private:
   int FindFirstLayer(int entryFace, int tile) const;
   void Free();
 
-  std::shared_ptr<ViewpointSource> Source;
+  std::shared_ptr<FieldStore> Store;
   vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
   std::int64_t Limit = 0;
   bool IsFirst = false; ///< there is space only for the coarsest viewpoints
@@ -125,7 +125,7 @@ private:
   bool IsSceneNew = false;              ///< since the textures of both were made
   std::vector<ViewFrustum> Frustums;
   std::size_t Missing = 0;
-  bool HasLoaded = false; ///< since the source was set
+  bool HasLoaded = false; ///< since the store was set
   int Damaged = 0;
   int Brought = 0;
   bool IsChanged = false; ///< since the tables were made

@@ -54,12 +54,11 @@ glm::dvec3 FindFocalPoint(const Description& description, int face, const Viewpo
 std::array<glm::dvec3, FaceCount> FindFocalPoints(
   const Description& description, vtkImageData* image)
 {
-  const std::shared_ptr<ViewpointSource> source = MakeSource(description, image);
+  const std::shared_ptr<FieldStore> store = MakeStore(description, image);
   std::array<glm::dvec3, FaceCount> points;
   for (int face = 0; face < FaceCount; ++face)
   {
-    points[face] =
-      FindFocalPoint(description, face, source->Get(FindFocalSlice(description, face)));
+    points[face] = FindFocalPoint(description, face, store->Get(FindFocalSlice(description, face)));
   }
   return points;
 }

@@ -7,7 +7,7 @@
 #ifndef cslfFocus_h
 #define cslfFocus_h
 
-#include "Pipeline/cslfViewpointSource.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "cslfDescription.h"
 
 #include <array>

@@ -41,7 +41,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   vtkPolyData* geometry, const Description& field, std::string& fault)
 {
   const Cube& box = field.Box;
-  fault = DescribeGeometryFault(geometry, box);
+  fault = DescribeGeometryError(geometry, box);
   if (!fault.empty() || !IsUsefulGeometry(geometry))
   {
     return nullptr;

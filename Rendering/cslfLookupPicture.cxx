@@ -35,16 +35,16 @@ constexpr double LookupShare = 0.7;
 /// While the view moves, a picture has at least this share of the viewport's pixels along each
 /// side, in this many steps up to 1. A share that changes with every frame would flicker, so it
 /// stays while there is time for it but not for two steps more.
-constexpr double LeastShare = 0.25;
+constexpr double MinimumShare = 0.25;
 constexpr double ShareSteps = 16.0;
 /// The most rays along each side of a pixel.
-constexpr int MostSamples = 16;
+constexpr int MaximumSamples = 16;
 /// If this many seconds are available for a picture, the view is not moving.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with fewer pixels. Along each side, one pixel
 /// replaces about as many as cover a texel in the middle of the cube, within these limits.
-constexpr double LeastGuessDivisor = 3.0;
-constexpr double MostGuessDivisor = 12.0;
+constexpr double MinimumGuessDivisor = 3.0;
+constexpr double MaximumGuessDivisor = 12.0;
 /// The marks of the depth lookup's passes on their pixels, as z of DC. Each pass skips pixels
 /// marked by an earlier one.
 constexpr float MissMark = -1.0F;
@@ -115,7 +115,7 @@ int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
   }
   const int fitting = 2 * resolution / std::max(area[2], area[3]);
   const double wanted = std::min(resolution / edge + 0.5, static_cast<double>(fitting));
-  return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostSamples)));
+  return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MaximumSamples)));
 }
 
 /// The same view for an area of the viewport.
@@ -161,7 +161,7 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
     this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
     const bool isKept = side >= previous && side < previous + 2.0 / ShareSteps;
     this->Share =
-      isKept ? previous : std::clamp(std::floor(side * ShareSteps) / ShareSteps, LeastShare, 1.0);
+      isKept ? previous : std::clamp(std::floor(side * ShareSteps) / ShareSteps, MinimumShare, 1.0);
   }
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -174,7 +174,7 @@ void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldT
   LookupTools& tools, const Pace& pace)
 {
   this->Tools = &tools;
-  this->Look(window, view, field, pace, MostSamples);
+  this->Look(window, view, field, pace, MaximumSamples);
   this->Picture.Colors->Activate();
   this->Picture.Depths->Activate();
 }
@@ -258,7 +258,7 @@ void LookupPicture::Allocate(const FieldTexture& field)
     const double edge = FindEdge(this->Current, this->Viewport) * this->Samples * this->Share;
     const int divisor =
       static_cast<int>(std::clamp(std::ceil(edge / field.GetField().Grid.GetResolution()),
-        LeastGuessDivisor, MostGuessDivisor));
+        MinimumGuessDivisor, MaximumGuessDivisor));
     this->Tools->Guess.Allocate(this->Window,
       { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor },
       colorType, false);

@@ -39,7 +39,7 @@ class VTKCSLF_EXPORT Residency
 {
 public:
   /// The number of blocks for one camera outside the cube.
-  static constexpr int LeastBlocks = 9;
+  static constexpr int MinimumBlocks = 9;
   /// Means that a viewpoint or block is missing.
   static constexpr int Absent = static_cast<int>(lookup::AbsentSlot);
 

@@ -15,7 +15,7 @@ namespace cslf
 namespace
 {
 /// The corners of a cell.
-constexpr int LeastSlots = 4;
+constexpr int MinimumSlots = 4;
 
 struct Format
 {
@@ -64,11 +64,11 @@ bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::
   this->Free();
   this->SetField(field, blocks);
   int slots = mostSlots;
-  while (slots > LeastSlots && !(this->ChooseLayers(slots) && this->CountBytes() <= limit))
+  while (slots > MinimumSlots && !(this->ChooseLayers(slots) && this->CountBytes() <= limit))
   {
     --slots;
   }
-  while (slots >= LeastSlots && this->ChooseLayers(slots))
+  while (slots >= MinimumSlots && this->ChooseLayers(slots))
   {
     if (this->Allocate())
     {

@@ -7,7 +7,7 @@
 #ifndef cslfTilePool_h
 #define cslfTilePool_h
 
-#include "Pipeline/cslfViewpointSource.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "cslfDescription.h"
 
 #include <array>

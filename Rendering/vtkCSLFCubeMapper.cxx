@@ -50,8 +50,8 @@ constexpr const char* FaceName = "face";
 /// The share of a picture's time for uploading samples to graphics memory, and its limits in
 /// seconds: a few milliseconds while something moves.
 constexpr double UploadShare = 0.1;
-constexpr double LeastUpload = 0.002;
-constexpr double MostUpload = 0.05;
+constexpr double MinimumUpload = 0.002;
+constexpr double MaximumUpload = 0.05;
 
 /// Pixels along each side of a picture that is drawn to compile programs: enough for all programs
 /// of a large one.
@@ -109,12 +109,12 @@ vtkCSLFCubeMapper::~vtkCSLFCubeMapper()
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& source)
+void vtkCSLFCubeMapper::SetStore(const std::shared_ptr<cslf::FieldStore>& store)
 {
-  this->Source = source;
+  this->Store = store;
   this->TextureFailed = false;
-  this->Texture.SetSource(source);
-  this->SetInputDataObject(MakeCube(source->GetDescription().Box));
+  this->Texture.SetStore(store);
+  this->SetInputDataObject(MakeCube(store->GetDescription().Box));
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +189,8 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   cslf::TexturePace pace;
   pace.Limit = this->TextureMemoryLimit;
   pace.Waits = !this->Streaming;
-  pace.Seconds = std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
+  pace.Seconds =
+    std::clamp(UploadShare * actor->GetAllocatedRenderTime(), MinimumUpload, MaximumUpload);
   pace.Keeps = this->ChooseCoveragePass(renderer, actor) == PartialCoverage;
   std::string error;
   const auto update = [&]
@@ -228,7 +229,7 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
     ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
   static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, normals);
-  const cslf::Cube& box = this->Source->GetDescription().Box;
+  const cslf::Cube& box = this->Store->GetDescription().Box;
   vtkNew<vtkMatrix4x4> ccmc;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -362,7 +363,7 @@ void vtkCSLFCubeMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*)
 std::string vtkCSLFCubeMapper::MakeOptions() const
 {
   std::string options;
-  const cslf::Description& field = this->Source->GetDescription();
+  const cslf::Description& field = this->Store->GetDescription();
   if (field.FindChannel(cslf::KnownChannel::Color)->Encoding == cslf::LinearEncoding)
   {
     options += "#define LINEAR_COLOR\n";

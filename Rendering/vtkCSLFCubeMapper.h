@@ -43,7 +43,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The field to draw; its samples go to graphics memory as Render needs them.
-  void SetSource(const std::shared_ptr<cslf::ViewpointSource>& source);
+  void SetStore(const std::shared_ptr<cslf::FieldStore>& store);
 
   /// vtkCSLFMapper::Streaming and TextureMemoryLimit.
   void SetStreaming(bool streaming, std::int64_t limit)
@@ -150,7 +150,7 @@ private:
   static bool IsSorted(vtkRenderer* renderer);
   static bool IsInRenderPass(vtkActor* actor);
 
-  std::shared_ptr<cslf::ViewpointSource> Source;
+  std::shared_ptr<cslf::FieldStore> Store;
   cslf::FieldTexture Texture;
   cslf::LookupTools Tools;
   cslf::DrawnViews Views;

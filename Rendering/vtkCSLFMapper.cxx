@@ -3,14 +3,13 @@
 #include "vtkCSLFMapper.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfRequests.h"
-#include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
 #include "cslfGeometryMesh.h"
 #include "vtkCSLFCubeMapper.h"
-#include "vtkCSLFDecoder.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
@@ -37,14 +36,14 @@
 
 namespace
 {
-constexpr const char* ReadingFailure = "The light field cannot be read";
+constexpr const char* ReadingError = "The light field cannot be read";
 }
 
 class vtkCSLFMapper::vtkInternals
 {
 public:
   std::map<vtkWindow*, vtkSmartPointer<vtkCSLFCubeMapper>> CubeMappers;
-  std::shared_ptr<cslf::ViewpointSource> Source; ///< null without a valid field
+  std::shared_ptr<cslf::FieldStore> Store; ///< null without a valid field
   std::optional<std::array<glm::dvec3, cslf::FaceCount>> AutomaticFocalPoints;
   vtkObject* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
@@ -54,7 +53,7 @@ public:
   bool HasWarnedOfInside = false;
   bool HasReportedDamage = false;
 
-  const cslf::Cube& GetCube() const { return this->Source->GetDescription().Box; }
+  const cslf::Cube& GetCube() const { return this->Store->GetDescription().Box; }
   std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper);
   void FindFocalPoints();
   std::vector<glm::dvec4> GetClippingPlanesCC(vtkMapper* mapper, vtkActor* actor) const;
@@ -81,20 +80,20 @@ std::array<glm::dvec3, cslf::FaceCount> vtkCSLFMapper::vtkInternals::GetFocalPoi
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::vtkInternals::FindFocalPoints()
 {
-  const cslf::Description& field = this->Source->GetDescription();
+  const cslf::Description& field = this->Store->GetDescription();
   std::vector<int> slices;
   slices.reserve(cslf::FaceCount);
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
     slices.push_back(cslf::FindFocalSlice(field, face));
   }
-  this->Source->Prefetch(slices);
-  this->Source->Wait();
+  this->Store->Prefetch(slices);
+  this->Store->Wait();
   this->AutomaticFocalPoints.emplace();
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
     (*this->AutomaticFocalPoints)[face] =
-      cslf::FindFocalPoint(field, face, this->Source->Get(slices[face]));
+      cslf::FindFocalPoint(field, face, this->Store->Get(slices[face]));
   }
 }
 
@@ -217,42 +216,52 @@ bool vtkCSLFMapper::UpdateField()
     return false;
   }
   vtkInternals& internals = *this->Internals;
-  auto* decoder = vtkCSLFDecoder::SafeDownCast(this->GetInputAlgorithm());
-  if (!decoder && !this->Static)
+  vtkAlgorithm* producer = this->GetInputAlgorithm();
+  vtkInformation* output = this->GetInputInformation();
+  const bool isKnown = this->Static || producer->GetExecutive()->UpdateInformation() != 0;
+  // A producer that lends a store, such as a decoder, is not updated: viewpoints come from its
+  // store as they are needed.
+  const bool isLent = cslf::IsStoreLent(output);
+  if (!isLent && isKnown && !this->Static)
   {
     cslf::UpdateWhole(this->GetInputConnection(0, 0));
   }
-  vtkObject* input = decoder ? static_cast<vtkObject*>(decoder) : this->GetInput();
+  vtkObject* input = isLent ? static_cast<vtkObject*>(producer) : this->GetInput();
   if (!input)
   {
     return false;
   }
-  if (decoder)
+  if (isLent)
   {
-    // What the decoder has open, whatever file it is going to open.
-    const auto source = this->OpenDecoder(decoder);
-    if (internals.CheckedInput == input && internals.Source == source)
+    // What the producer has open, whatever file it is going to open. It has reported why if there
+    // is nothing.
+    const auto store = cslf::BorrowStore(output);
+    if (internals.CheckedInput == input && internals.Store == store)
     {
-      return source != nullptr;
+      return store != nullptr;
     }
-    internals.Source = source;
+    internals.Store = store;
+    if (store && !store->GetMissing().empty())
+    {
+      store->Get(store->GetMissing().front()); // reports it
+    }
   }
   else
   {
     if (internals.CheckedInput == input && internals.CheckedTime == input->GetMTime())
     {
-      return internals.Source != nullptr;
+      return internals.Store != nullptr;
     }
     // Opening may fail by an exception.
-    internals.Source = nullptr;
+    internals.Store = nullptr;
     internals.CheckedInput = input;
     internals.CheckedTime = input->GetMTime();
-    internals.Source = this->OpenImage(this->GetInput());
+    internals.Store = this->OpenImage(this->GetInput());
   }
   internals.CheckedInput = input;
   internals.CheckedTime = input->GetMTime();
   internals.CheckedGeometry = nullptr;
-  if (!internals.Source)
+  if (!internals.Store)
   {
     return false;
   }
@@ -261,7 +270,7 @@ bool vtkCSLFMapper::UpdateField()
   internals.HasReportedDamage = false;
   for (const auto& windowAndMapper : internals.CubeMappers)
   {
-    windowAndMapper.second->SetSource(internals.Source);
+    windowAndMapper.second->SetStore(internals.Store);
   }
   return true;
 }
@@ -285,9 +294,8 @@ void vtkCSLFMapper::UpdateGeometry()
   internals.CheckedGeometry = geometry;
   internals.CheckedGeometryTime = time;
   std::string fault;
-  internals.Geometry = geometry
-    ? cslf::MakeGeometryMesh(geometry, internals.Source->GetDescription(), fault)
-    : nullptr;
+  internals.Geometry =
+    geometry ? cslf::MakeGeometryMesh(geometry, internals.Store->GetDescription(), fault) : nullptr;
   if (!fault.empty())
   {
     vtkWarningMacro("The geometry is not used: " << fault << ".");
@@ -295,19 +303,7 @@ void vtkCSLFMapper::UpdateGeometry()
 }
 
 //------------------------------------------------------------------------------
-// Viewpoints come from a decoder as they are needed: its output is not updated.
-std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenDecoder(vtkCSLFDecoder* decoder)
-{
-  if (!this->Static)
-  {
-    decoder->UpdateInformation();
-  }
-  // A decoder that cannot read its file has reported this.
-  return decoder->GetViewpointSource();
-}
-
-//------------------------------------------------------------------------------
-std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* image)
+std::shared_ptr<cslf::FieldStore> vtkCSLFMapper::OpenImage(vtkImageData* image)
 {
   std::string error;
   const auto field = cslf::Description::ReadFrom(image, error);
@@ -328,13 +324,13 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* im
     vtkErrorMacro(<< error);
     return nullptr;
   }
-  return cslf::MakeSource(*field, image);
+  return cslf::MakeStore(*field, image);
 }
 
 //------------------------------------------------------------------------------
 double* vtkCSLFMapper::GetBounds()
 {
-  if (cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
+  if (cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); }))
   {
     this->Internals->GetCube().GetBounds(this->Bounds);
   }
@@ -361,7 +357,7 @@ vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
   if (!cubeMapper)
   {
     cubeMapper = vtkSmartPointer<vtkCSLFCubeMapper>::New();
-    cubeMapper->SetSource(internals.Source);
+    cubeMapper->SetStore(internals.Store);
   }
   return cubeMapper;
 }
@@ -369,7 +365,7 @@ vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
+  if (!cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); }))
   {
     return;
   }
@@ -382,7 +378,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   if (!isDrawn)
   {
     // Reported once, not for every picture.
-    this->Internals->Source = nullptr;
+    this->Internals->Store = nullptr;
   }
 }
 

@@ -67,12 +67,11 @@
 #include <memory> // for the internals
 
 class vtkCSLFCubeMapper;
-class vtkCSLFDecoder;
 class vtkCSLFToneMapping;
 
 namespace cslf
 {
-class ViewpointSource;
+class FieldStore;
 }
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
@@ -295,8 +294,7 @@ private:
   bool UpdateField();
   void UpdateGeometry();
   void Draw(vtkRenderer* renderer, vtkActor* actor);
-  std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
-  std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
+  std::shared_ptr<cslf::FieldStore> OpenImage(vtkImageData* image);
   void ReportDamage(int damaged, int undamaged);
   vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 

@@ -41,7 +41,7 @@ namespace cslf::tool
 namespace
 {
 /// The size of HEVC's smallest picture.
-constexpr int SmallestVideo = 16;
+constexpr int MinimumVideo = 16;
 
 struct Options
 {
@@ -90,7 +90,7 @@ void CheckCube(const Options& options)
 
 void CheckFormat(const Options& options, FieldFormat format)
 {
-  if (format == FieldFormat::Video && options.Resolution < SmallestVideo)
+  if (format == FieldFormat::Video && options.Resolution < MinimumVideo)
   {
     throw Failure("Video needs a resolution (-N) of at least 16 texels.");
   }

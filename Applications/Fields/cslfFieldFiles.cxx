@@ -54,8 +54,8 @@ constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
 constexpr const char* AutomaticKeyViews = "auto";
 
 /// The smallest targets on the command line. 0 would mean no target.
-constexpr double LeastRatio = 1e-3;
-constexpr double LeastTarget = 1.0;
+constexpr double MinimumRatio = 1e-3;
+constexpr double MinimumTarget = 1.0;
 
 std::optional<FieldFormat> FindFormat(const std::string& fileName)
 {
@@ -335,11 +335,11 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
   Control* rate = this->Rate;
   CLI::Option* factor = AddOption(command, options::CRF, rate, &Control::SetCRF);
   CLI::Option* ratio = AddOption(command, options::TargetRatio, rate, &Control::SetTargetRatio,
-    RangeOf(options::TargetRatio, LeastRatio));
+    RangeOf(options::TargetRatio, MinimumRatio));
   CLI::Option* size = AddOption(command, options::TargetSize, rate, &Control::SetTargetSize,
-    RangeOf(options::TargetSize, LeastTarget));
+    RangeOf(options::TargetSize, MinimumTarget));
   CLI::Option* psnr = AddOption(command, options::TargetPSNR, rate, &Control::SetTargetPSNR,
-    RangeOf(options::TargetPSNR, LeastTarget));
+    RangeOf(options::TargetPSNR, MinimumTarget));
   size->transform(Bytes())
     ->description(options::TargetSize.Help + std::string("; for example 20MB or 1.5GiB"))
     ->type_name(SizePlaceholder);
@@ -380,7 +380,7 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
         rate->SetTargetNovelViewPSNR(psnr);
       },
       options::TargetNovelViewPSNR.Help + std::string(", for --key-views auto"))
-    ->check(RangeOf(options::TargetNovelViewPSNR, LeastTarget))
+    ->check(RangeOf(options::TargetNovelViewPSNR, MinimumTarget))
     ->default_str(CLI::detail::to_string(options::TargetNovelViewPSNR.Default))
     ->needs(keys)
     ->group(VideoGroup);
@@ -408,7 +408,7 @@ void CodingOptions::AddTo(CLI::App& command)
       "repeated")
     ->allow_extra_args(false)
     ->option_text("NAME=TYPE:FILE")
-    ->check(FindPartFault)
+    ->check(FindPartError)
     ->group(group);
 }
 

@@ -54,7 +54,8 @@ struct FieldFile
   vtkSmartPointer<vtkAlgorithm> Reader;
   Description Field;
   vtkSmartPointer<vtkAlgorithm> GeometryReader; ///< the field's reader or another one; may be null
-  std::string GeometryFault; ///< why the geometry beside the field is ignored; empty if it is not
+  std::string
+    GeometryMismatch; ///< why the geometry beside the field is ignored; empty if it is not
 
   /// Delivers the field's geometry. Null if there is none.
   vtkAlgorithmOutput* GetGeometry() const;

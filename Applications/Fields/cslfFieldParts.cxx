@@ -23,7 +23,7 @@ namespace cslf::tool
 namespace
 {
 /// Larger than all parts of a video can be, so there is no need to read more of a file.
-constexpr std::streamsize MostBytes = 16 * 1024 * 1024;
+constexpr std::streamsize MaximumBytes = 16 * 1024 * 1024;
 
 struct PartOption
 {
@@ -48,10 +48,10 @@ std::optional<PartOption> Split(const std::string& option)
 vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& fileName)
 {
   auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  bytes->SetNumberOfValues(MostBytes);
+  bytes->SetNumberOfValues(MaximumBytes);
   errno = 0;
   std::ifstream file(ToPath(fileName), std::ios::binary);
-  file.read(reinterpret_cast<char*>(bytes->GetPointer(0)), MostBytes);
+  file.read(reinterpret_cast<char*>(bytes->GetPointer(0)), MaximumBytes);
   if (!file.is_open() || file.bad())
   {
     const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
@@ -68,7 +68,7 @@ std::string Describe(const FieldPart& part)
 }
 }
 
-std::string FindPartFault(const std::string& option)
+std::string FindPartError(const std::string& option)
 {
   return Split(option) ? std::string()
                        : "\"" + option +

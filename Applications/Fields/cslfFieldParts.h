@@ -30,7 +30,7 @@ struct FieldPart
 };
 
 /// Says in one line why an option is not of the form "NAME=TYPE:FILE". Empty if it is.
-std::string FindPartFault(const std::string& option);
+std::string FindPartError(const std::string& option);
 
 /// Reads the files of valid options. Throws a Failure if a file cannot be read or is the output, or
 /// if two parts have the same name and type.

@@ -53,7 +53,7 @@ vtkSmartPointer<vtkAlgorithm> ReadBeside(const std::string& fileName, const Desc
   {
     throw Failure(fileName + " belongs to another light field.");
   }
-  const std::string fault = DescribeGeometryFault(reader->GetOutput(), field.Box);
+  const std::string fault = DescribeGeometryError(reader->GetOutput(), field.Box);
   if (!fault.empty())
   {
     throw Failure("Cannot use " + fileName + ": " + fault + ".");
@@ -110,15 +110,15 @@ void OpenGeometry(FieldFile& file)
   }
   catch (const Failure& fault)
   {
-    file.GeometryFault = fault.what();
+    file.GeometryMismatch = fault.what();
   }
   catch (const std::exception&)
   {
-    file.GeometryFault = "Cannot read " + fileName + ": it is damaged or too large.";
+    file.GeometryMismatch = "Cannot read " + fileName + ": it is damaged or too large.";
   }
-  if (!file.GeometryFault.empty())
+  if (!file.GeometryMismatch.empty())
   {
-    AddWarning("The geometry was ignored: " + file.GeometryFault);
+    AddWarning("The geometry was ignored: " + file.GeometryMismatch);
   }
 }
 
@@ -143,7 +143,7 @@ void WarnOfLoss(const FieldFile& file)
   auto* filter = vtkCSLFGeometryFilter::SafeDownCast(file.GeometryReader);
   const double loss = filter ? GetGeometryLoss(filter->GetGeometry()).value_or(0.0) : 0.0;
   // The filter itself warns of more.
-  if (loss > MostLossIfComplete && loss <= MostUsefulLoss)
+  if (loss > MaximumLossIfComplete && loss <= MaximumUsefulLoss)
   {
     std::ostringstream percent;
     percent << std::setprecision(2) << 100.0 * loss;

@@ -32,13 +32,13 @@ namespace fs = std::filesystem;
 // The most values per byte of a file: zlib compresses zeros by a factor of about 1000. Small files
 // may announce some more.
 constexpr double ValuesPerByte = 1100.0;
-constexpr double SmallestLimit = 65536.0;
+constexpr double MinimumLimit = 65536.0;
 
 // Blocks of a composite data set take memory even if they are empty.
-constexpr double MostBlocks = 1048576.0; // of a file
+constexpr double MaximumBlocks = 1048576.0; // of a file
 
 // VTK reads and deletes nested elements recursively.
-constexpr int MostLevels = 1000;
+constexpr int MaximumLevels = 1000;
 
 constexpr double BytesOfLargestValue = 8.0;
 
@@ -59,7 +59,7 @@ public:
   static vtkShallowXMLParser* New();
   vtkTypeMacro(vtkShallowXMLParser, vtkXMLDataParser);
 
-  bool HasDeepElements() const { return this->DeepestLevel > MostLevels; }
+  bool HasDeepElements() const { return this->DeepestLevel > MaximumLevels; }
 
 protected:
   vtkShallowXMLParser() = default;
@@ -67,7 +67,7 @@ protected:
   void StartElement(const char* name, const char** attributes) override
   {
     this->DeepestLevel = std::max(this->DeepestLevel, ++this->Level);
-    if (this->Level <= MostLevels)
+    if (this->Level <= MaximumLevels)
     {
       this->Superclass::StartElement(name, attributes);
     }
@@ -75,7 +75,7 @@ protected:
 
   void EndElement(const char* name) override
   {
-    if (this->Level-- <= MostLevels)
+    if (this->Level-- <= MaximumLevels)
     {
       this->Superclass::EndElement(name);
     }
@@ -97,7 +97,7 @@ public:
   {
     std::error_code failure;
     const double bytes = static_cast<double>(fs::file_size(path, failure));
-    this->Limit = std::max(ValuesPerByte * (failure ? 0.0 : bytes), SmallestLimit);
+    this->Limit = std::max(ValuesPerByte * (failure ? 0.0 : bytes), MinimumLimit);
   }
 
   void Check()
@@ -118,7 +118,7 @@ public:
     const bool isParsed = parser->Parse() != 0;
     if (parser->HasDeepElements())
     {
-      this->Fail("elements nested on more than " + std::to_string(MostLevels) + " levels");
+      this->Fail("elements nested on more than " + std::to_string(MaximumLevels) + " levels");
     }
     const std::string error = isParsed ? std::string() : GetFirstError();
     if (!error.empty())
@@ -181,10 +181,10 @@ private:
         this->Fail("fewer strings than an array holds");
       }
     }
-    if (this->LargestCount * this->MostComponents > this->Limit)
+    if (this->MaximumCount * this->MaximumComponents > this->Limit)
     {
       this->Fail(
-        "an array of " + std::to_string(static_cast<std::int64_t>(this->LargestCount)) + " tuples");
+        "an array of " + std::to_string(static_cast<std::int64_t>(this->MaximumCount)) + " tuples");
     }
   }
 
@@ -230,11 +230,11 @@ private:
       const std::string text = element->GetAttributeValue(i);
       if (name == "NumberOfComponents")
       {
-        this->MostComponents = std::max(this->MostComponents, this->CheckNumber(name, text));
+        this->MaximumComponents = std::max(this->MaximumComponents, this->CheckNumber(name, text));
       }
       else if (name.compare(0, 8, "NumberOf") == 0)
       {
-        this->LargestCount = std::max(this->LargestCount, this->CheckNumber(name, text));
+        this->MaximumCount = std::max(this->MaximumCount, this->CheckNumber(name, text));
       }
       else if (name == "WholeExtent" || name == "Extent")
       {
@@ -259,9 +259,9 @@ private:
       }
     }
     this->Blocks += blocks;
-    if (this->Blocks > MostBlocks)
+    if (this->Blocks > MaximumBlocks)
     {
-      this->Fail("more than " + std::to_string(static_cast<int>(MostBlocks)) + " blocks");
+      this->Fail("more than " + std::to_string(static_cast<int>(MaximumBlocks)) + " blocks");
     }
   }
 
@@ -321,9 +321,9 @@ private:
 
   fs::path Path;
   double Limit = 0.0;
-  double LargestCount = 0.0;
+  double MaximumCount = 0.0;
   double Blocks = 0.0;
-  double MostComponents = 1.0;
+  double MaximumComponents = 1.0;
 };
 }
 

@@ -23,7 +23,7 @@ constexpr std::chrono::seconds UpdateInterval{ 2 };
 
 /// Showing more takes a moment, in which only the coarsest grid is shown. So one in this many
 /// viewpoints must be new.
-constexpr vtkIdType LeastShare = 12;
+constexpr vtkIdType MinimumShare = 12;
 
 bool IsFile(const std::string& name)
 {
@@ -126,7 +126,7 @@ bool UnfinishedField::Update()
   next->GetViewpointsInFileOrder(all);
   const bool isSame = std::strcmp(next->GetDescription(), this->Decoder->GetDescription()) == 0;
   if (isSame && unwritten > 0 &&
-    LeastShare * (this->Unwritten - unwritten) < all->GetNumberOfValues())
+    MinimumShare * (this->Unwritten - unwritten) < all->GetNumberOfValues())
   {
     return false;
   }

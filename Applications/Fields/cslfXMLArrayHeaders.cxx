@@ -167,7 +167,7 @@ XMLArrayHeaders::XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* 
   vtkXMLDataElement* root = parser->GetRootElement();
   const std::string compressor = GetText(root, "compressor");
   this->IsCompressed = root->GetAttribute("compressor") != nullptr;
-  this->LargestRatio = GetLargestRatio(compressor);
+  this->MaximumRatio = GetLargestRatio(compressor);
   this->IsBigEndian = GetText(root, "byte_order") == "BigEndian";
   this->WordSize = GetText(root, "header_type") == "UInt64" ? 8 : 4;
   if (vtkXMLDataElement* data = root->FindNestedElementWithName("AppendedData"))
@@ -217,7 +217,7 @@ bool XMLArrayHeaders::FitBlocks(const Place& place, const std::vector<double>& h
   {
     const bool isPartial = block + 1 == blocks && header[2] > 0.0;
     const double compressed = words[HeaderWords + block];
-    if ((isPartial ? header[2] : header[1]) > this->LargestRatio * compressed)
+    if ((isPartial ? header[2] : header[1]) > this->MaximumRatio * compressed)
     {
       return false;
     }

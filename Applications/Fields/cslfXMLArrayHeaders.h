@@ -69,7 +69,7 @@ private:
   std::int64_t AppendedData = -1;
   bool IsAppendedBase64 = true;
   bool IsCompressed = false;
-  double LargestRatio = 1.0; // of the bytes before and after compression
+  double MaximumRatio = 1.0; // of the bytes before and after compression
   bool IsBigEndian = false;
   std::size_t WordSize = 4; // in bytes
 };

@@ -38,7 +38,7 @@ namespace cslf::tool
 namespace
 {
 /// Video needs at least this many texels along each side.
-constexpr int LeastResolution = 16;
+constexpr int MinimumResolution = 16;
 
 struct Options : BenchmarkOptions
 {
@@ -383,7 +383,7 @@ void CheckField(const Options& options, const Description& field)
   const int resolution = field.Grid.GetResolution();
   for (const int divisor : options.Divisors)
   {
-    if (resolution % divisor != 0 || resolution / divisor < LeastResolution)
+    if (resolution % divisor != 0 || resolution / divisor < MinimumResolution)
     {
       throw Failure("A divisor of " + std::to_string(divisor) +
         " does not divide N = " + std::to_string(resolution) + " into 16 or more.");

@@ -194,9 +194,9 @@ std::string FindLack(const LookupName& lookup, const FieldFile& file)
 /// The error of a lookup if a field lacks what it needs.
 std::string DescribeLack(const LookupName& lookup, const std::string& lack, const FieldFile& file)
 {
-  const bool isIgnored = lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryFault.empty();
+  const bool isIgnored = lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryMismatch.empty();
   return "The " + std::string(lookup.Name) + " lookup needs " + lack +
-    ", which the field does not have" + (isIgnored ? ": " + file.GeometryFault : ".");
+    ", which the field does not have" + (isIgnored ? ": " + file.GeometryMismatch : ".");
 }
 }
 

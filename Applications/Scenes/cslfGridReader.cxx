@@ -67,12 +67,12 @@ using Part = vtkSmartPointer<vtkDataObject>;
 
 // A legacy file is not compressed, but image data without values needs only its size.
 constexpr double PointsPerByte = 1000.0;
-constexpr double SmallestLimit = 65536.0;
+constexpr double MinimumLimit = 65536.0;
 
 // The memory for reading a legacy file: a digit and a space become a double or an index, of which
 // several copies are made.
 constexpr double BytesPerByte = 100.0;
-constexpr double SmallestMemory = 1073741824.0;
+constexpr double MinimumMemory = 1073741824.0;
 
 constexpr const char* Damaged = "it is damaged.";
 
@@ -214,7 +214,7 @@ class SurfaceMaker
 {
 public:
   explicit SurfaceMaker(double mostPoints)
-    : MostPoints(mostPoints)
+    : MaximumPoints(mostPoints)
   {
   }
 
@@ -233,7 +233,7 @@ public:
     {
       throw Failure("it is a light field, not a scene.");
     }
-    if (static_cast<double>(data->GetNumberOfPoints()) > this->MostPoints)
+    if (static_cast<double>(data->GetNumberOfPoints()) > this->MaximumPoints)
     {
       throw Failure("it announces " + std::to_string(data->GetNumberOfPoints()) +
         " points, more than the file can hold.");
@@ -307,7 +307,7 @@ private:
     }
   }
 
-  double MostPoints;
+  double MaximumPoints;
   int Surfaces = 0;
   std::set<std::string> Removed;
   std::set<std::string> Colors; // the names of arrays
@@ -493,8 +493,8 @@ vtkSmartPointer<vtkDataObject> ReadLegacyGrid(const std::string& fileName)
   std::error_code failure;
   const auto size = std::filesystem::file_size(ToPath(fileName), failure);
   const double bytes = failure ? 0.0 : static_cast<double>(size);
-  return Read<vtkGenericDataObjectReader>(fileName, std::max(PointsPerByte * bytes, SmallestLimit),
-    BytesPerByte * bytes + SmallestMemory);
+  return Read<vtkGenericDataObjectReader>(
+    fileName, std::max(PointsPerByte * bytes, MinimumLimit), BytesPerByte * bytes + MinimumMemory);
 }
 
 vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,

@@ -24,7 +24,7 @@ namespace
 // The time of a pass: shorter ones get more samples, longer ones fewer.
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.2;
-constexpr int MostPassSamples = 16;
+constexpr int MaximumPassSamples = 16;
 
 bool AreSame(vtkCamera* a, vtkCamera* b)
 {
@@ -78,7 +78,7 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples
   const double seconds = SecondsSince(start);
   if (seconds < ShortSeconds)
   {
-    this->PassSamples = std::min(2 * this->PassSamples, MostPassSamples);
+    this->PassSamples = std::min(2 * this->PassSamples, MaximumPassSamples);
   }
   else if (seconds > LongSeconds)
   {

@@ -8,7 +8,7 @@
 #ifndef cslfCubeMapFiles_h
 #define cslfCubeMapFiles_h
 
-#include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "cslfDescription.h"
 
 #include <optional>

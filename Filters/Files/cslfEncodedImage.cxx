@@ -19,7 +19,7 @@ namespace cslf
 namespace
 {
 // A small file may contain a large image of one colour. An image of this size takes 1 GiB.
-constexpr std::uint64_t MostPixels = std::uint64_t(1) << 28;
+constexpr std::uint64_t MaximumPixels = std::uint64_t(1) << 28;
 
 constexpr const char* PNGName = "image.png";
 
@@ -126,7 +126,7 @@ vtkSmartPointer<vtkImageData> Decode(
   }
   const OIIO::ImageSpec spec = input->spec();
   const bool hasSize = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 &&
-    spec.nchannels <= 4 && spec.image_pixels() <= MostPixels;
+    spec.nchannels <= 4 && spec.image_pixels() <= MaximumPixels;
   if (!hasSize)
   {
     error = "has a size that is not supported";

@@ -22,7 +22,7 @@ namespace cslf
 namespace
 {
 // JSON's numbers are exact integers up to this one.
-constexpr double LargestIndex = 9007199254740992.0;
+constexpr double MaximumIndex = 9007199254740992.0;
 }
 
 GLTFValue::GLTFValue(const nlohmann::json* value, std::string path)
@@ -78,7 +78,7 @@ std::optional<std::size_t> GLTFValue::GetIndex() const
     return std::nullopt;
   }
   const double number = this->Value->is_number() ? this->Value->get<double>() : -1.0;
-  if (!(number >= 0.0) || number > LargestIndex || number != std::floor(number))
+  if (!(number >= 0.0) || number > MaximumIndex || number != std::floor(number))
   {
     this->Fail("is not a non-negative integer");
   }
@@ -136,9 +136,9 @@ const std::set<std::string> Unreadable = { "KHR_draco_mesh_compression", "EXT_me
 
 // The number of elements that a file may make without bytes or with bytes that it uses more than
 // once. All other elements take at least one byte, in an accessor and in a block.
-constexpr std::size_t MostZeros = std::size_t(1) << 24;
-constexpr std::size_t MostElements = std::size_t(1) << 26;
-constexpr std::size_t MostElementsPerByte = 4;
+constexpr std::size_t MaximumZeros = std::size_t(1) << 24;
+constexpr std::size_t MaximumElements = std::size_t(1) << 26;
+constexpr std::size_t MaximumElementsPerByte = 4;
 
 std::uint32_t ReadNumber(const std::string& bytes, std::size_t offset)
 {
@@ -357,7 +357,7 @@ const std::string& GLTFDocument::GetBuffer(std::size_t index)
 
 void GLTFDocument::CountElements(std::size_t elements)
 {
-  const std::size_t most = MostElements + MostElementsPerByte * this->BytesRead;
+  const std::size_t most = MaximumElements + MaximumElementsPerByte * this->BytesRead;
   if (elements > most - std::min(most, this->Elements))
   {
     throw GLTFError("its nodes and meshes repeat more than " + std::to_string(most) + " elements");
@@ -367,10 +367,10 @@ void GLTFDocument::CountElements(std::size_t elements)
 
 void GLTFDocument::CountZeros(std::size_t elements)
 {
-  if (elements > MostZeros - this->Zeros)
+  if (elements > MaximumZeros - this->Zeros)
   {
     throw GLTFError("its accessors without a bufferView have more than " +
-      std::to_string(MostZeros) + " elements");
+      std::to_string(MaximumZeros) + " elements");
   }
   this->Zeros += elements;
 }

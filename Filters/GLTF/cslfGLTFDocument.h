@@ -83,7 +83,7 @@ private:
   std::string Path;
 };
 
-class GLTFProblems
+class GLTFErrors
 {
 public:
   std::set<std::string> Omitted; ///< names of unsupported features
@@ -105,7 +105,7 @@ public:
   /// Adds an error, once.
   void Add(const std::string& error)
   {
-    if (this->Known.insert(error).second && this->Errors.size() < MostErrors)
+    if (this->Known.insert(error).second && this->Errors.size() < MaximumErrors)
     {
       this->Errors.push_back(error);
     }
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t MostErrors = 4;
+  static constexpr std::size_t MaximumErrors = 4;
 
   std::vector<std::string> Errors;
   std::set<std::string> Known;

@@ -106,7 +106,7 @@ int ToWrap(std::size_t wrap)
 }
 }
 
-GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFProblems& problems)
+GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFErrors& problems)
   : Document(document)
   , Problems(problems)
   , Images(document)

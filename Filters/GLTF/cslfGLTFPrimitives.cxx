@@ -398,7 +398,7 @@ GLTFNumbers ReadAttribute(GLTFDocument& document, const GLTFValue& attribute, st
 }
 }
 
-GLTFPrimitives::GLTFPrimitives(GLTFDocument& document, GLTFProblems& problems)
+GLTFPrimitives::GLTFPrimitives(GLTFDocument& document, GLTFErrors& problems)
   : Document(document)
   , Problems(problems)
   , Materials(document, problems)

@@ -21,7 +21,7 @@ namespace cslf
 namespace
 {
 /// How far the surface may move when a patch is simplified, in texels at the cube's centre.
-constexpr double MostTexels = 0.2;
+constexpr double MaximumTexels = 0.2;
 
 /// The mesh explains a texel if it is as near as this to its surface, in texels at the cube's
 /// centre.
@@ -41,17 +41,17 @@ constexpr double GoodCosine = 0.2;
 constexpr double BetterShare = 0.5;
 
 /// The viewpoints that may be so, in the order of their turn.
-constexpr int MostBetter = 150;
+constexpr int MaximumGain = 150;
 
 /// Groups of up to so many texels are not worth triangles where the mesh has their surface beside
 /// them.
-constexpr std::size_t MostOfSpeck = 8;
+constexpr std::size_t MaximumSpeckShare = 8;
 
 /// The viewpoints that look at the same time.
 constexpr int BatchSize = FaceCount;
 
 /// The most triangles before the mesh is reduced.
-constexpr std::size_t MostCollected = std::size_t(4) << 20;
+constexpr std::size_t MaximumCollected = std::size_t(4) << 20;
 
 /// The views in the order of their turn: one of each face after the other, each as far as possible
 /// from those before it and from the edges of the face.
@@ -262,7 +262,7 @@ void DropSpecks(const DepthSurfaces& surfaces, std::vector<char>& marks)
       reach(y > 0 ? texel - side : texel, y > 0 && surfaces.IsLinkedDown(texel - side));
       reach(y + 1 < side ? texel + side : texel, y + 1 < side && surfaces.IsLinkedDown(texel));
     }
-    if (isBesideMesh && group.size() <= MostOfSpeck)
+    if (isBesideMesh && group.size() <= MaximumSpeckShare)
     {
       for (const std::size_t texel : group)
       {
@@ -309,7 +309,7 @@ public:
     }
   }
 
-  bool IsFull() const { return this->Result.Triangles.size() >= MostCollected; }
+  bool IsFull() const { return this->Result.Triangles.size() >= MaximumCollected; }
 
   SurfaceMesh TakeResult() { return std::move(this->Result); }
 
@@ -378,7 +378,7 @@ private:
     AddBeside(surfaces, marks);
     SurfaceMesh mesh = MakePatch(this->Views, view, surfaces, marks);
     Weld(mesh);
-    Simplify(mesh, static_cast<float>(MostTexels * this->Views.GetTexel()));
+    Simplify(mesh, static_cast<float>(MaximumTexels * this->Views.GetTexel()));
     return mesh;
   }
 
@@ -397,7 +397,7 @@ private:
     const bool isGood = cosine >= GoodCosine && footprint <= GoodArea * texel * texel;
     const int batchBegin = batchEnd - 1 - (batchEnd - 1) % BatchSize;
     const int end =
-      isGood ? batchEnd : std::max(batchEnd, std::min<int>(MostBetter, this->Order.size()));
+      isGood ? batchEnd : std::max(batchEnd, std::min<int>(MaximumGain, this->Order.size()));
     for (int other = batchBegin; other < end; ++other)
     {
       if (other == turn)

@@ -16,7 +16,7 @@ constexpr double LinkedWidths = 1.5;
 /// Or if the step is at most the second number, and differs from the step before or behind it by at
 /// most the first one.
 constexpr double ContinuedWidths = 0.5;
-constexpr double MostWidths = 12.0;
+constexpr double MaximumWidths = 12.0;
 
 /// How a line of texels goes on, with inverse depths.
 struct Line
@@ -42,7 +42,7 @@ bool AreLinked(const Line& line, double width)
     line.Before > 0.0f && std::abs(step - (line.First - line.Before)) <= ContinuedWidths * width;
   const bool comesFrom =
     line.Behind > 0.0f && std::abs(step - (line.Behind - line.Second)) <= ContinuedWidths * width;
-  return std::abs(step) <= MostWidths * width && (goesOn || comesFrom);
+  return std::abs(step) <= MaximumWidths * width && (goesOn || comesFrom);
 }
 
 float FindSlope(float before, float here, float behind, bool hasBefore, bool hasBehind)

@@ -22,7 +22,7 @@ constexpr unsigned short UnknownCode = 0;
 constexpr unsigned short NothingCode = 65535;
 
 /// Planes that are seen more obliquely than this, as a cosine, are not seen.
-constexpr double LeastCosine = 0.02;
+constexpr double MinimumCosine = 0.02;
 
 /// Depth also exists where the centre of a texel sees nothing, but a part of it a surface. Texels
 /// that are covered by less than half lie beyond outlines, unless the surface is thinner.
@@ -244,7 +244,7 @@ PlaneSight DepthViews::See(int view, const SurfacePlane& plane, double distance)
   const TileFrame frame(this->Grid, viewpoint, place.Tile);
   const double expected = glm::dot(normal, frame.VectorToCube(frame.GetRay(x, y)));
   sight.IsSeen =
-    sight.Cosine > LeastCosine && std::abs(stored / expected - 1.0) <= distance * length;
+    sight.Cosine > MinimumCosine && std::abs(stored / expected - 1.0) <= distance * length;
   sight.Footprint = this->FindFootprint(frame, normal, place.InverseDepth);
   return sight;
 }

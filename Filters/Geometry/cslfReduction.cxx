@@ -20,14 +20,14 @@ namespace cslf
 namespace
 {
 /// A part keeps at least a tetrahedron.
-constexpr std::size_t FewestOfPart = 4;
+constexpr std::size_t MinimumPartShare = 4;
 
 /// Parts with at most this many triangles lose much of their volume with each one.
-constexpr std::size_t MostOfSmallPart = 100;
+constexpr std::size_t MaximumSmallPartShare = 100;
 
 /// The smallest variance of a part along an axis, as a share of the sum along all axes. What was
 /// flatter, or became so, is not stretched along it.
-constexpr double LeastVariance = 1e-4;
+constexpr double MinimumVariance = 1e-4;
 
 /// The connected parts of a surface.
 struct Parts
@@ -163,7 +163,7 @@ Stretch FindStretch(const Moments& moments, const Moments& wanted)
   if (moments.Area > 0.0 && wanted.Area > 0.0)
   {
     const glm::dmat3& all = wanted.Variance;
-    const double least = LeastVariance * (all[0][0] + all[1][1] + all[2][2]);
+    const double least = MinimumVariance * (all[0][0] + all[1][1] + all[2][2]);
     const glm::dmat3 variance = Power(all, 1.0, least);
     const glm::dmat3 root = Power(moments.Variance, 0.5, least);
     const glm::dmat3 inverse = Power(moments.Variance, -0.5, least);
@@ -185,7 +185,7 @@ void Restore(const Parts& original, SurfaceMesh& mesh)
   for (std::size_t part = 0; part < triangles.size(); ++part)
   {
     const std::vector<glm::uvec3>& before = original.Triangles[part];
-    if (before.size() <= MostOfSmallPart && triangles[part].size() < before.size())
+    if (before.size() <= MaximumSmallPartShare && triangles[part].size() < before.size())
     {
       stretches[part] =
         FindStretch(FindMoments(mesh.Points, triangles[part]), FindMoments(mesh.Points, before));
@@ -239,7 +239,7 @@ std::vector<glm::uvec3> ReducePart(const std::vector<glm::vec3>& points,
 /// The same share of each part, if there are not too many for that.
 void ReduceParts(const Parts& parts, std::size_t most, SurfaceMesh& mesh)
 {
-  if (parts.Triangles.size() * FewestOfPart > most)
+  if (parts.Triangles.size() * MinimumPartShare > most)
   {
     return;
   }
@@ -258,7 +258,7 @@ void ReduceParts(const Parts& parts, std::size_t most, SurfaceMesh& mesh)
     const std::vector<glm::uvec3>& part = parts.Triangles[number];
     const double share = double(part.size()) * double(unused) / double(left);
     const std::vector<glm::uvec3> reduced = ReducePart(
-      mesh.Points, part, std::max(static_cast<std::size_t>(share + 0.5), FewestOfPart), places);
+      mesh.Points, part, std::max(static_cast<std::size_t>(share + 0.5), MinimumPartShare), places);
     left -= part.size();
     unused -= std::min(unused, reduced.size());
     mesh.Triangles.insert(mesh.Triangles.end(), reduced.begin(), reduced.end());

@@ -19,7 +19,7 @@ namespace cslf
 namespace
 {
 /// The most steps of triangles over which a colour is passed on.
-constexpr int MostSteps = 64;
+constexpr int MaximumSteps = 64;
 
 bool IsColored(const glm::vec4& color)
 {
@@ -30,7 +30,7 @@ bool IsColored(const glm::vec4& color)
 void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
 {
   std::vector<glm::vec4> sums;
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < MaximumSteps; ++step)
   {
     sums.assign(colors.size(), glm::vec4(0.0f));
     bool isChanged = false;

@@ -23,7 +23,7 @@ constexpr std::size_t Stride = sizeof(glm::vec3);
 constexpr float CacheLoss = 1.05f;
 
 /// Fewer triangles are changed at once.
-constexpr std::size_t FewestApart = 20000;
+constexpr std::size_t MinimumApart = 20000;
 
 /// About how long a reduction takes for a triangle.
 constexpr double ChangeSeconds = 2e-6;
@@ -157,7 +157,7 @@ std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
 void ChangeApart(
   SurfaceMesh& mesh, const Progress& progress, const std::function<void(SurfaceMesh&)>& change)
 {
-  if (mesh.Triangles.size() < FewestApart)
+  if (mesh.Triangles.size() < MinimumApart)
   {
     OrAbort(progress)(0.0);
     change(mesh);

@@ -31,13 +31,13 @@ constexpr int PatchSmoothings = 12;
 constexpr float OutlinePlaces[] = { 1.0f, 0.75f, 0.5f, 0.25f };
 
 /// The most viewpoints that are asked where an outline is.
-constexpr int MostWitnesses = 250;
+constexpr int MaximumWitnesses = 250;
 
 /// The distance, in texels at the cube's centre, from which on something counts as behind outlines.
 constexpr double BehindTexels = 3.0;
 
 /// How much the inverse depth of a corner may differ from that of its texels, as a factor.
-constexpr float MostChange = 1.5f;
+constexpr float MaximumChange = 1.5f;
 
 /// A corner of squares, in texels.
 struct Corner
@@ -177,7 +177,7 @@ private:
       corner.Slope *= share;
       corner.Middle *= share;
       corner.InverseDepth =
-        glm::clamp(corner.InverseDepth * share, least / MostChange, most * MostChange);
+        glm::clamp(corner.InverseDepth * share, least / MaximumChange, most * MaximumChange);
       corner.IsOutline = count < 4 && !corner.IsPinned;
       for (int k = 0; k < 4; ++k)
       {
@@ -275,7 +275,7 @@ private:
 
   bool IsSeenThrough(const glm::dvec3& point, double distance) const
   {
-    const int step = (this->Views.GetCount() + MostWitnesses - 1) / MostWitnesses;
+    const int step = (this->Views.GetCount() + MaximumWitnesses - 1) / MaximumWitnesses;
     for (int view = 0; view < this->Views.GetCount(); view += step)
     {
       if (view != this->View && this->Views.SeesThrough(view, point, distance))

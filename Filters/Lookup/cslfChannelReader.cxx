@@ -98,7 +98,7 @@ glm::dvec4 ChannelReader::Blend(const LookupResult& result) const
       sum += weight;
     }
   }
-  return value / std::max(sum, lookup::LeastWeight);
+  return value / std::max(sum, lookup::MinimumWeight);
 }
 
 glm::dvec4 ChannelReader::Blend(const Sightings& found) const

@@ -121,7 +121,7 @@ void Lookup::LeaveOut(int seenFaces)
 
 double Lookup::FetchInverseDepth(const Place& place, int p, int q) const
 {
-  return 1.0 / std::max(this->Depth.FetchNumber(place, p, q), LeastDepth);
+  return 1.0 / std::max(this->Depth.FetchNumber(place, p, q), MinimumDepth);
 }
 
 Lookup::Corners Lookup::FetchCorners(const Place& place) const
@@ -193,7 +193,7 @@ Lookup::ViewCell Lookup::MakeCell(const Ray& ray, const NodeBracket& u, const No
   views.Views[3] = this->MakeView(ray.Face, far[0], far[1], (1.0 - nearU) * (1.0 - nearV));
   const double reach = glm::distance(views.Views[3].Position, glm::dvec2(ray.Entry));
   views.Stride =
-    std::min(2.0 * TexelsPerStep / (this->Field.Grid.GetResolution() * reach), MostStride);
+    std::min(2.0 * TexelsPerStep / (this->Field.Grid.GetResolution() * reach), MaximumStride);
   return views;
 }
 
@@ -238,7 +238,7 @@ Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
 {
   const glm::dvec3 direction = point - glm::dvec3(view.Position, 0.0);
   const glm::dvec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
-  const double depth = std::max({ share.x, share.y, share.z, LeastDepth });
+  const double depth = std::max({ share.x, share.y, share.z, MinimumDepth });
   const ExitFrame frame = FindExit(view, direction, share);
   const glm::dvec3 exit = glm::dvec3(view.Position, -1.0) + direction / depth;
   return { { view.Slice, frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) } },
@@ -256,7 +256,7 @@ double Lookup::GuessSurface(const Ray& ray, const View& view, double fraction) c
   }
   const glm::dvec3 point = ray.Entry + fraction * ray.Chord;
   const Projection seen = Project(view, point);
-  const double depth = std::max(this->Depth.ReadNearest(seen.At).x, LeastDepth);
+  const double depth = std::max(this->Depth.ReadNearest(seen.At).x, MinimumDepth);
   const glm::dvec3 viewpoint(view.Position, 0.0);
   const glm::dvec3 surface = viewpoint + (point - viewpoint) * (seen.InverseDepth * depth);
   const double guess =
@@ -360,7 +360,7 @@ double Lookup::Clearance(const View& view, const glm::dvec3& point) const
   const Projection seen = Project(view, point);
   if (!this->IsKept(view, seen.At))
   {
-    return seen.InverseDepth - 1.0 / LeastDepth;
+    return seen.InverseDepth - 1.0 / MinimumDepth;
   }
   return seen.InverseDepth - this->ReadInverseDepth(seen.At);
 }
@@ -383,7 +383,7 @@ double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, d
   for (int i = 0; i < Refinements; ++i)
   {
     const double share = clearanceBehind / (clearanceBehind - clearanceBefore);
-    w = glm::mix(behind, before, std::clamp(share, LeastShare, 1.0 - LeastShare));
+    w = glm::mix(behind, before, std::clamp(share, MinimumShare, 1.0 - MinimumShare));
     const double clearance = this->Clearance(view, ray.Entry + ray.Chord / w);
     if (std::abs(clearance) < Convergence * w)
     {
@@ -400,7 +400,7 @@ double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, d
 bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
   const glm::dvec2& range, bool all, Step& step) const
 {
-  while (step.Behind > range.y && step.Count < MostSteps)
+  while (step.Behind > range.y && step.Count < MaximumSteps)
   {
     step.Behind = gridRay.Grid->SkipEmpty(gridRay, step.Behind, range.y);
     if (step.Behind <= range.y)
@@ -425,7 +425,7 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
       {
         return true;
       }
-      inside = step.Behind > range.y && step.Count < MostSteps &&
+      inside = step.Behind > range.y && step.Count < MaximumSteps &&
         gridRay.Grid->IsOccupied(gridRay, step.Behind);
     }
   }
@@ -474,7 +474,8 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   step.Behind = range.x;
   Surface doubtful;
   double least = DoubtTexels / this->Field.Grid.GetResolution();
-  for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, all, step); ++i)
+  for (int i = 0; i < MaximumCandidates && this->FindStep(ray, views, gridRay, range, all, step);
+       ++i)
   {
     const int k = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
     const double w = this->RefineCrossing(ray, views.Views[k], step.Before, step.Behind,
@@ -533,7 +534,7 @@ LookupResult Lookup::FindVisible(
   const Ray& ray, const ViewCell& views, const Surface& surface) const
 {
   const glm::dvec4 weights = ListWeights(views);
-  const glm::dvec4 visible = (weights + LeastWeight) * surface.Sight;
+  const glm::dvec4 visible = (weights + MinimumWeight) * surface.Sight;
   const double sum = visible.x + visible.y + visible.z + visible.w;
   return this->FindPlaces(
     views, ray.Entry + ray.Chord / surface.W, sum > 0.0 ? visible / sum : weights, 1.0 / surface.W);

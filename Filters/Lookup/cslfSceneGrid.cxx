@@ -24,13 +24,13 @@ namespace
 /// The margin of the scene's bounds, in CC.
 constexpr double SceneMargin = 0.01;
 /// A surface's cells begin at least this share of a cell in front of it.
-constexpr double LeastReach = 0.35;
+constexpr double MinimumReach = 0.35;
 /// The number of viewpoints along a side of a face that is enough to see everything visible.
-constexpr int MostViewpoints = 17;
+constexpr int ViewpointLimit = 17;
 /// The most small cells of a geometry along the scene's longest side.
-constexpr double MostSmallCells = 256.0;
+constexpr double MaximumSmallCells = 256.0;
 /// The most of their rows that a triangle crosses; more lie outside of the scene's bounds.
-constexpr int MostRows = 512;
+constexpr int MaximumRows = 512;
 /// The value of unmarked cells.
 constexpr std::uint8_t NoRing = 255;
 
@@ -100,7 +100,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
 /// The viewpoints that are used: all, or regularly spaced ones.
 std::vector<vtkIdType> ChoosePlaces(const Layout& grid, const std::vector<int>& slices)
 {
-  const int stride = std::max(1, (grid.GetViewpoints() - 1) / (MostViewpoints - 1));
+  const int stride = std::max(1, (grid.GetViewpoints() - 1) / (ViewpointLimit - 1));
   const bool whole = static_cast<int>(slices.size()) == grid.GetSlices();
   std::vector<vtkIdType> places;
   for (std::size_t place = 0; place < slices.size(); ++place)
@@ -120,8 +120,8 @@ SurfaceCells::SurfaceCells(const Description& description, const std::vector<glm
   : Minimum(description.GetSceneMinimumCC())
 {
   const glm::dvec3 size = description.GetSceneMaximumCC() - this->Minimum;
-  this->Edge = std::max(
-    1.0 / description.Grid.GetResolution(), std::max({ size.x, size.y, size.z }) / MostSmallCells);
+  this->Edge = std::max(1.0 / description.Grid.GetResolution(),
+    std::max({ size.x, size.y, size.z }) / MaximumSmallCells);
   this->Cells = glm::ivec3(glm::floor(size / this->Edge)) + 1;
   this->Marks.resize(std::size_t(this->Cells.x) * this->Cells.y * this->Cells.z, false);
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
@@ -136,8 +136,10 @@ SurfaceCells::SurfaceCells(const Description& description, const std::vector<glm
         std::rotate(std::begin(points), std::begin(points) + 1, std::end(points));
       }
     }
-    const auto count = [this](const glm::dvec3& a, const glm::dvec3& b) {
-      return std::clamp(static_cast<int>(std::ceil(glm::distance(a, b) / this->Edge)), 1, MostRows);
+    const auto count = [this](const glm::dvec3& a, const glm::dvec3& b)
+    {
+      return std::clamp(
+        static_cast<int>(std::ceil(glm::distance(a, b) / this->Edge)), 1, MaximumRows);
     };
     const int rows = count(points[0], points[1]);
     const int columns = std::max(count(points[0], points[2]), count(points[1], points[2]));
@@ -283,7 +285,7 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
 // Marks the cells around a position, up to `reach` from it or a share of a cell.
 void SceneGrid::Mark(const glm::dvec3& position, const glm::dvec3& reach)
 {
-  const glm::dvec3 around = glm::max(reach, LeastReach);
+  const glm::dvec3 around = glm::max(reach, MinimumReach);
   const double most = Cells - 1;
   const glm::ivec3 first(glm::clamp(glm::floor(position - around), 0.0, most));
   const glm::ivec3 last(glm::clamp(glm::floor(position + around), 0.0, most));
@@ -343,7 +345,7 @@ SceneGrid::Ray SceneGrid::CastGridRay(const glm::dvec3& entryCC, const glm::dvec
   Ray ray{ (entryCC - this->Minimum) * scale, chordCC * scale, this };
   for (int a = 0; a < 3; ++a)
   {
-    ray.Chord[a] = std::abs(ray.Chord[a]) < LeastChord ? LeastChord : ray.Chord[a];
+    ray.Chord[a] = std::abs(ray.Chord[a]) < MinimumChord ? MinimumChord : ray.Chord[a];
   }
   return ray;
 }
@@ -376,7 +378,7 @@ double SceneGrid::SkipEmpty(const Ray& ray, double w, double last) const
 {
   double t = 1.0 / w;
   const double end = 1.0 / last;
-  for (int i = 0; i < MostSkips && t < end; ++i)
+  for (int i = 0; i < MaximumSkips && t < end; ++i)
   {
     const glm::ivec3 cell = FindCell(ray, t);
     const int rings = this->Rings[IndexOf(cell)];

@@ -45,7 +45,7 @@ Sighting Lookup::See(const View& view, const FacePoint& surface) const
   sighting.At = seen.At;
   const glm::dvec3 way = surface.Point - glm::dvec3(view.Position, 0.0);
   const double facing = -glm::dot(surface.Normal, way);
-  if (!this->IsKept(view, seen.At) || facing < LeastFacing * glm::length(way))
+  if (!this->IsKept(view, seen.At) || facing < MinimumFacing * glm::length(way))
   {
     return sighting;
   }
@@ -81,7 +81,7 @@ Sightings Lookup::SeeFromAround(const ViewCell& views, const FacePoint& surface)
   for (int k = 0; k < 4; ++k)
   {
     found.All[k] = this->See(views.Views[k], surface);
-    found.Weights[k] = (views.Views[k].Weight + LeastWeight) * found.All[k].Share;
+    found.Weights[k] = (views.Views[k].Weight + MinimumWeight) * found.All[k].Share;
   }
   return found;
 }
@@ -90,7 +90,7 @@ Sightings Lookup::SeeFromAround(const ViewCell& views, const FacePoint& surface)
 double Lookup::NearnessOf(const glm::dvec2& viewpoint, const FacePoint& surface)
 {
   const glm::dvec3 toView = glm::normalize(glm::dvec3(viewpoint, 0.0) - surface.Point);
-  const double away = glm::distance(toView, surface.ToEye) + LeastAngle;
+  const double away = glm::distance(toView, surface.ToEye) + MinimumAngle;
   return 1.0 / (away * away);
 }
 

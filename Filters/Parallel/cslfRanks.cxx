@@ -36,7 +36,7 @@ void BroadcastText(vtkMultiProcessController* controller, std::string& text, int
   BroadcastBytes(controller, text.data(), text.size(), sender);
 }
 
-int ShareFault(vtkMultiProcessController* controller, std::string& fault)
+int ShareError(vtkMultiProcessController* controller, std::string& fault)
 {
   const int count = controller->GetNumberOfProcesses();
   const int rank = controller->GetLocalProcessId();

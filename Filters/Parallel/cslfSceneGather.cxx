@@ -88,7 +88,7 @@ bool SceneGather::Begin(const std::vector<vtkDataObject*>& inputs, std::string& 
         "There is not enough memory to send the piece of the scene: run fewer ranks per computer.";
     }
   }
-  if (ShareFault(this->Controller, error) >= 0)
+  if (ShareError(this->Controller, error) >= 0)
   {
     return false;
   }
@@ -133,7 +133,7 @@ bool SceneGather::Finish(std::string& error)
   {
     error = "There is not enough memory for the whole scene: run fewer ranks per computer.";
   }
-  if (ShareFault(this->Controller, error) >= 0)
+  if (ShareError(this->Controller, error) >= 0)
   {
     return false;
   }
@@ -151,7 +151,7 @@ bool SceneGather::Finish(std::string& error)
       error = "The piece of the scene from rank " + std::to_string(sender) + " cannot be read.";
     }
   }
-  return ShareFault(this->Controller, error) < 0;
+  return ShareError(this->Controller, error) < 0;
 }
 
 bool SceneGather::Unpack(char* bytes, std::uint64_t count, int rank)

@@ -42,7 +42,7 @@ class VTKCSLF_EXPORT SceneGather
 public:
   /// `arithmetic` identifies how this rank computes. Messages have `partSize` bytes at most.
   SceneGather(vtkMultiProcessController* controller, const std::string& arithmetic,
-    std::size_t partSize = LargestMessage);
+    std::size_t partSize = MaximumMessage);
 
   /// Prepares a rank's inputs for the others and determines the size of all ranks' inputs. If a
   /// rank cannot give its inputs, `error` gives the reason.

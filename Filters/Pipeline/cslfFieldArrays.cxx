@@ -51,7 +51,7 @@ namespace
 constexpr double LittleBytes = 64.0 * 1024 * 1024;
 
 /// For larger arrays, at least one of this many slices must exist.
-constexpr double MostMissing = 64.0;
+constexpr double MaximumMissing = 64.0;
 }
 
 glm::vec4 GetColor(vtkDataArray* array, vtkIdType tuple)
@@ -153,6 +153,6 @@ bool AreEnough(const Description& field, vtkIdType there, vtkIdType count)
   const double sliceBytes = static_cast<double>(field.GetTexelBytes()) *
     field.Grid.GetStripWidth() * field.Grid.GetResolution();
   return sliceBytes * static_cast<double>(count) <= LittleBytes ||
-    MostMissing * static_cast<double>(there) >= static_cast<double>(count);
+    MaximumMissing * static_cast<double>(there) >= static_cast<double>(count);
 }
 }

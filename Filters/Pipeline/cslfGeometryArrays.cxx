@@ -21,7 +21,7 @@ namespace cslf
 namespace
 {
 /// What rounding may add to a point of the cube.
-constexpr double MostCoordinate = 1.0 + 1e-6;
+constexpr double CoordinateLimit = 1.0 + 1e-6;
 
 std::optional<double> GetNumber(vtkPolyData* geometry, const char* name)
 {
@@ -65,16 +65,16 @@ bool IsOpaqueGeometry(vtkPolyData* geometry)
 
 bool IsCompleteGeometry(vtkPolyData* geometry)
 {
-  return GetNumber(geometry, GeometryLossName).value_or(1.0) <= MostLossIfComplete;
+  return GetNumber(geometry, GeometryLossName).value_or(1.0) <= MaximumLossIfComplete;
 }
 
 bool IsUsefulGeometry(vtkPolyData* geometry)
 {
   const bool hasPolygons = geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() > 0;
-  return hasPolygons && GetGeometryLoss(geometry).value_or(0.0) <= MostUsefulLoss;
+  return hasPolygons && GetGeometryLoss(geometry).value_or(0.0) <= MaximumUsefulLoss;
 }
 
-std::string DescribeGeometryFault(vtkPolyData* geometry, const Cube& box)
+std::string DescribeGeometryError(vtkPolyData* geometry, const Cube& box)
 {
   if (!MakeSound(geometry).IsWhole())
   {
@@ -92,7 +92,7 @@ std::string DescribeGeometryFault(vtkPolyData* geometry, const Cube& box)
           geometry->GetPoint(points[k], point);
           const glm::dvec3 pointCC = glm::abs(box.PointToCube({ point[0], point[1], point[2] }));
           // False for NaN, too.
-          isInside = isInside && glm::all(glm::lessThanEqual(pointCC, glm::dvec3(MostCoordinate)));
+          isInside = isInside && glm::all(glm::lessThanEqual(pointCC, glm::dvec3(CoordinateLimit)));
         }
       });
   }
@@ -103,18 +103,18 @@ std::string DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles)
 {
   const double loss = GetGeometryLoss(geometry).value_or(0.0);
   const vtkIdType triangles = geometry->GetNumberOfPolys();
-  if (triangles == 0 && loss <= MostUsefulLoss)
+  if (triangles == 0 && loss <= MaximumUsefulLoss)
   {
     return "The geometry is empty, because the viewpoints hardly see any surface: fit the cube to "
            "the visible parts of the scene, or increase the resolution.";
   }
   // Reduced geometries may have somewhat fewer triangles than allowed.
   const bool areFew = triangles < mostTriangles / 2;
-  return loss > MostUsefulLoss ? "With " + std::to_string(triangles) +
+  return loss > MaximumUsefulLoss ? "With " + std::to_string(triangles) +
       " triangles, the geometry loses " + std::to_string(std::lround(100.0 * loss)) +
       " % of the visible surfaces, and mappers use depth instead: " +
       (areFew ? "increase the resolution, or fit the cube to the scene."
               : "increase GeometryTriangles.")
-                               : "";
+                                  : "";
 }
 }

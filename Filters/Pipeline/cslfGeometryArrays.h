@@ -38,10 +38,10 @@ constexpr const char* GeometryLossName = "GeometryLoss";
 constexpr const char* GeometryOpaqueLossName = "GeometryOpaqueLoss";
 
 /// A geometry that lost more than this share is not complete: what misses it may be a surface.
-constexpr double MostLossIfComplete = 0.01;
+constexpr double MaximumLossIfComplete = 0.01;
 
 /// A geometry that lost more than this is not looked up, because views with depth alone are better.
-constexpr double MostUsefulLoss = 0.2;
+constexpr double MaximumUsefulLoss = 0.2;
 
 /// A text: the hash of the scene that is also in the description of its fields.
 constexpr const char* GeometrySceneName = "GeometryScene";
@@ -79,7 +79,7 @@ bool VTKCSLF_EXPORT IsUsefulGeometry(vtkPolyData* geometry);
 
 /// Says in one line why polygons cannot be the geometry of a field with this cube. Empty if they
 /// can: cells name points that exist, and lie in the cube.
-std::string VTKCSLF_EXPORT DescribeGeometryFault(vtkPolyData* geometry, const Cube& box);
+std::string VTKCSLF_EXPORT DescribeGeometryError(vtkPolyData* geometry, const Cube& box);
 
 /// A warning if a geometry that may have so many triangles is empty or lost too much, or nothing.
 std::string VTKCSLF_EXPORT DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles);

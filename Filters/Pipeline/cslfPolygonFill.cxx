@@ -31,13 +31,13 @@ namespace
 {
 // The vector area of a polygon that does not cross itself is its normal. If it is a smaller part of
 // the areas between the edges and the centre, the largest triangle is a safer one.
-constexpr double SmallestVectorArea = 0.25;
+constexpr double MinimumVectorArea = 0.25;
 
 // A polygon with fewer corners cannot cross itself often enough to take long.
 constexpr std::size_t FewCorners = 64;
 
 // The smallest area, in a square of the polygon's size, that is not an error of rounding.
-constexpr double SmallestArea = 1e-14;
+constexpr double MinimumArea = 1e-14;
 
 double Cross(const glm::dvec2& a, const glm::dvec2& b)
 {
@@ -104,7 +104,7 @@ bool FacesBack(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal)
   {
     const double along =
       glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), normal);
-    if (std::abs(along) > SmallestArea * glm::length(normal))
+    if (std::abs(along) > MinimumArea * glm::length(normal))
     {
       return along < 0.0;
     }
@@ -339,12 +339,12 @@ glm::dvec3 FindPolygonNormal(const std::vector<glm::dvec3>& corners)
     sum += part;
     size += glm::length(part);
   }
-  if (size > 0.0 && glm::length(sum) >= SmallestVectorArea * size)
+  if (size > 0.0 && glm::length(sum) >= MinimumVectorArea * size)
   {
     return sum;
   }
   const glm::dvec3 largest = outline.empty() ? sum : FindLargeTriangle(outline);
-  if (!(glm::length(largest) > SmallestArea))
+  if (!(glm::length(largest) > MinimumArea))
   {
     return glm::dvec3(0.0);
   }
@@ -398,7 +398,7 @@ PolygonFill FillPolygon(
   Tessellator(fill).Run(points);
   const double area = FindArea(fill, points);
   fill.Area = area * outline.Scale * outline.Scale;
-  if (!(area > SmallestArea))
+  if (!(area > MinimumArea))
   {
     fill.Triangles.clear();
   }

@@ -12,8 +12,11 @@
 #include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationIntegerKey.h>
 #include <vtkInformationIntegerVectorKey.h>
+#include <vtkInformationObjectBaseKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
@@ -35,6 +38,29 @@ vtkInformationIntegerVectorKey* FirstPart()
 vtkInformationIntegerKey* ForFirstPart()
 {
   static auto* key = vtkInformationIntegerKey::MakeKey("FOR_FIRST_PART", "cslfRequests");
+  return key;
+}
+
+vtkInformationIntegerKey* BakeQuality()
+{
+  static auto* key = vtkInformationIntegerKey::MakeKey("BAKE_QUALITY", "cslfRequests");
+  return key;
+}
+
+/// A keeper of caches in an output's information.
+class KeeperLoan : public vtkObject
+{
+public:
+  static KeeperLoan* New();
+  vtkTypeMacro(KeeperLoan, vtkObject);
+
+  CacheKeeper* Keeper = nullptr;
+};
+vtkStandardNewMacro(KeeperLoan);
+
+vtkInformationObjectBaseKey* LentKeeper()
+{
+  static auto* key = vtkInformationObjectBaseKey::MakeKey("CACHE_KEEPER", "cslfRequests");
   return key;
 }
 
@@ -148,6 +174,29 @@ bool UpdateSlices(vtkInformation* information, int first, int last)
   extent[4] = first;
   extent[5] = last;
   return Update(information, extent);
+}
+
+void SetBakeQuality(vtkInformation* output, int quality)
+{
+  output->Set(BakeQuality(), quality);
+}
+
+std::optional<int> GetBakeQuality(vtkInformation* output)
+{
+  return output->Has(BakeQuality()) ? std::make_optional(output->Get(BakeQuality())) : std::nullopt;
+}
+
+void LendCacheKeeper(vtkInformation* output, CacheKeeper* keeper)
+{
+  vtkNew<KeeperLoan> loan;
+  loan->Keeper = keeper;
+  output->Set(LentKeeper(), keeper ? loan.Get() : nullptr);
+}
+
+CacheKeeper* BorrowCacheKeeper(vtkInformation* output)
+{
+  auto* loan = KeeperLoan::SafeDownCast(output->Get(LentKeeper()));
+  return loan ? loan->Keeper : nullptr;
 }
 
 bool IsWholeThere(vtkAlgorithmOutput* connection)

@@ -3,7 +3,8 @@
 /**
  * @file
  * What consumers request from producers. VTK's executives keep the last request: after a consumer
- * has pulled single slices, the user's next Update() of the producer would make only those.
+ * has pulled single slices, the user's next Update() of the producer would make only those. And
+ * what both lend each other through the information of outputs, without knowing each other's class.
  */
 #ifndef cslfRequests_h
 #define cslfRequests_h
@@ -19,6 +20,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,8 @@ class vtkInformation;
 
 namespace cslf
 {
+class CacheKeeper;
+
 /// Whether the whole of an output is requested, as one piece.
 inline bool IsWholeRequested(vtkInformation* output)
 {
@@ -92,6 +96,20 @@ void RequestFirstPart(vtkInformation* information, const int extent[6]);
 
 /// Updates the output of that pipeline information, as one piece, to a range of slices.
 bool UpdateSlices(vtkInformation* information, int first, int last);
+
+///@{
+/// The quality that a filter bakes in, one of vtkCSLFPathTracer's: it sets it in
+/// RequestInformation. Filters that do not bake have none.
+void SetBakeQuality(vtkInformation* output, int quality);
+std::optional<int> GetBakeQuality(vtkInformation* output);
+///@}
+
+///@{
+/// Lends a keeper of radiance caches to the filter of that output, which uses it when it executes.
+/// Null ends the loan.
+void LendCacheKeeper(vtkInformation* output, CacheKeeper* keeper);
+CacheKeeper* BorrowCacheKeeper(vtkInformation* output);
+///@}
 
 /// Whether a connection's whole output, image data, is there already, as UpdateInformation left its
 /// pipeline.

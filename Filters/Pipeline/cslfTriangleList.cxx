@@ -40,11 +40,11 @@ constexpr double Rounding = 1e-6;
 
 // The smallest vector area of a polygon that VTK's triangles fill, in parts of their areas. It is
 // less than 1 if the polygon is not flat.
-constexpr double SmallestOrdinaryVectorArea = 0.1;
+constexpr double MinimumOrdinaryVectorArea = 0.1;
 
 // Triangles that face away from the polygon fill what is not part of it. Of polygons that are not
 // flat, they may be steep: the cosine of the largest angle.
-constexpr double SmallestCosine = -0.5;
+constexpr double MinimumCornerCosine = -0.5;
 
 /// Checks the triangles that VTK made of a polygon.
 class PolygonCheck
@@ -115,12 +115,12 @@ private:
       sum += part;
       area += size;
       const double along = glm::dot(part, normal);
-      if (along < SmallestCosine * size * glm::length(normal))
+      if (along < MinimumCornerCosine * size * glm::length(normal))
       {
         least = std::min(least, along);
       }
     }
-    return area > 0.0 && glm::length(normal) >= SmallestOrdinaryVectorArea * area &&
+    return area > 0.0 && glm::length(normal) >= MinimumOrdinaryVectorArea * area &&
       least >= -Rounding * area * glm::length(normal) &&
       glm::length(sum - normal) <= Rounding * area;
   }

@@ -37,7 +37,7 @@ constexpr double GroupShare = 0.4;
 
 // The share of the expected seconds that is enough for groups of full size, and the minimum.
 constexpr double EnoughShare = 0.03;
-constexpr double LeastSeconds = 0.4;
+constexpr double MinimumSeconds = 0.4;
 
 // The number of groups of small size, their texels along a tile's side, and their most samples. If
 // an encoder does not accept such small pictures, there are fewer groups with as many texels in
@@ -54,7 +54,7 @@ constexpr int ImageSlices = 48;
 constexpr int FirstImageSlices = 6;
 
 // Shorter times depend on what else the machine does.
-constexpr double LeastRenderingSeconds = 0.2;
+constexpr double MinimumRenderingSeconds = 0.2;
 
 /// `count` of the numbers below `whole`, evenly spread.
 std::vector<int> Spread(int count, int whole)
@@ -207,7 +207,7 @@ void BakeProbe::NoteScene(double seconds, double cacheSecondsBefore)
 bool BakeProbe::TimeRendering(int samples, double& seconds)
 {
   this->SetSize(this->Resolution, samples);
-  SlabStream stream(this->Sampler->GetOutputPort());
+  FieldStream stream(this->Sampler->GetOutputPort());
   if (!stream.Open())
   {
     this->Error = "The sampler failed.";
@@ -230,7 +230,7 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
       ++done;
     }
     elapsed = SecondsSince(start);
-  } while (elapsed < LeastRenderingSeconds);
+  } while (elapsed < MinimumRenderingSeconds);
   seconds = elapsed / done * slices;
   return true;
 }
@@ -256,7 +256,7 @@ int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullG
   };
   const double all = this->Costs.Cache + groups * expect(this->Resolution);
   const double budget =
-    std::min(GroupShare * this->Seconds, std::max(LeastSeconds, EnoughShare * all));
+    std::min(GroupShare * this->Seconds, std::max(MinimumSeconds, EnoughShare * all));
   int resolution = this->Resolution;
   while (resolution / 2 >= small && FullGroups * expect(resolution) > GroupShare * this->Seconds)
   {
@@ -271,7 +271,7 @@ int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullG
 
 bool BakeProbe::EstimateVideo()
 {
-  this->Error = FindFault(this->Settings, this->Resolution);
+  this->Error = FindError(this->Settings, this->Resolution);
   if (!this->Error.empty())
   {
     return false;
@@ -387,7 +387,7 @@ bool BakeProbe::EstimateImages()
     this->Error = "There is no folder for temporary files.";
     return false;
   }
-  SlabStream stream(this->Sampler->GetOutputPort());
+  FieldStream stream(this->Sampler->GetOutputPort());
   const double before = this->Sampler->GetCacheSeconds();
   const auto start = Clock::now();
   if (!stream.Open() || !stream.Read({ 0, 0 }))
@@ -444,7 +444,7 @@ bool BakeProbe::EstimateImages()
       ++done;
     }
     if (render + write > GroupShare * this->Seconds ||
-      render + write > std::max(LeastSeconds, EnoughShare * (render + write) / done * slices))
+      render + write > std::max(MinimumSeconds, EnoughShare * (render + write) / done * slices))
     {
       break;
     }

@@ -25,7 +25,7 @@ KeyViews::KeyViews(int viewpoints, int step)
   }
 }
 
-std::string KeyViews::FindFault(int viewpoints, int step)
+std::string KeyViews::FindError(int viewpoints, int step)
 {
   return step >= 1 && step < viewpoints ? std::string()
                                         : "Of " + std::to_string(viewpoints) +

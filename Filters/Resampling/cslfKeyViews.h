@@ -25,7 +25,7 @@ public:
   KeyViews(int viewpoints, int step);
 
   /// Why a step cannot be used, in a sentence. Empty if it can.
-  static std::string FindFault(int viewpoints, int step);
+  static std::string FindError(int viewpoints, int step);
 
   /// The indices of the kept viewpoints along a side, ascending.
   const std::vector<int>& GetIndices() const { return this->Indices; }

@@ -18,7 +18,7 @@ Nesting::Nesting(const int extent[6], int divisor, int stride)
   std::copy_n(extent, 6, this->Extent);
 }
 
-std::string Nesting::FindFault() const
+std::string Nesting::FindError() const
 {
   const int* extent = this->Extent;
   const int resolution = extent[3] + 1;

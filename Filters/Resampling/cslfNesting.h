@@ -21,7 +21,7 @@ public:
   Nesting(const int extent[6], int divisor, int stride);
 
   /// Why it cannot be made, in a sentence. Empty if it can.
-  std::string FindFault() const;
+  std::string FindError() const;
 
   /// The whole extent of the output, in VTK's order.
   void GetWholeExtent(int extent[6]) const;

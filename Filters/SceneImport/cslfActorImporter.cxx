@@ -4,15 +4,14 @@
 
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfValidPolyData.h"
+#include "SceneData/cslfTextureImage.h"
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
 #include "cslfCellKinds.h"
-#include "cslfCellNormals.h"
 #include "cslfClippedBlock.h"
 #include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
-#include "cslfTextureImage.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
@@ -302,9 +301,8 @@ private:
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
     TransformTCoords(this->Actor, block);
     // The data's own material takes precedence over the property.
-    const vtkSmartPointer<vtkDataObject> named = RenameOldArrays(leaf, this->Scene.Old);
-    this->Scene.Materials.FindUnused(named);
-    vtkCSLFMaterial::Inherit(block, named);
+    this->Scene.Materials.FindUnused(leaf);
+    vtkCSLFMaterial::Inherit(block, leaf);
     this->Appearance.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
     this->Appearance.HasTable = mapped.Table != nullptr;
     SetColors(block, mapped);

@@ -12,6 +12,8 @@
 
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <optional>
 
@@ -24,6 +26,10 @@ class vtkUnsignedCharArray;
 
 namespace cslf
 {
+/// Gives each cell its own points, with the cell's normal. Returns the block itself if it has no
+/// polygons, if cells have no normals, or if points have normals.
+vtkSmartPointer<vtkPolyData> SpreadCellNormals(vtkPolyData* block);
+
 /// A part of an actor. Its vertices and its lines may have their own radii: see
 /// vtkCSLFMaterial::LineRadiusName and PointRadiusName.
 struct ActorPart

@@ -5,9 +5,9 @@
 #include "Pipeline/cslfTriangleList.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfValidPolyData.h"
+#include "SceneData/cslfSurfaceAppearance.h"
 #include "cslfActorParts.h"
 #include "cslfColor.h"
-#include "cslfSurfaceAppearance.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 

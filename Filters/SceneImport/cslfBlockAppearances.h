@@ -7,8 +7,8 @@
 #ifndef cslfBlockAppearances_h
 #define cslfBlockAppearances_h
 
+#include "SceneData/cslfWindowLights.h"
 #include "cslfImportedScene.h"
-#include "cslfWindowLights.h"
 
 #include <vtkBoundingBox.h>
 

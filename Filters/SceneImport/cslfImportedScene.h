@@ -8,8 +8,7 @@
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
-#include "PathTracing/Materials/cslfMaterialProblems.h"
-#include "PathTracing/Scene/cslfOldNames.h"
+#include "SceneData/cslfMaterialProblems.h"
 #include "cslfJoin.h"
 #include "vtkCSLFModule.h" // for export macro
 
@@ -123,8 +122,8 @@ struct ImportedScene
   std::set<std::string> Omitted;       ///< other parts that cannot be represented, in words
   vtkIdType BrokenGlyphs = 0;          ///< with positions or indices of sources that are not finite
 
-  OldNames Old;               ///< of materials that the data contains
-  MaterialProblems Materials; ///< likewise; values are checked when the scene is traced
+  MaterialProblems
+    Materials; ///< of materials that the data contains; values are checked when the scene is traced
 
   /// Records a limit, perhaps with a detail such as the class of a prop.
   void Meet(ImportLimit limit, const std::string& detail = std::string())

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLightImporter.h"
 
+#include "SceneData/cslfTextureImage.h"
 #include "cslfColor.h"
-#include "cslfTextureImage.h"
 #include "vtkCSLFLight.h"
 
 #include <vtkAlgorithm.h>

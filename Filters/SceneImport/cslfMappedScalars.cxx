@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
-#include "PathTracing/Scene/cslfSurfaceColors.h"
 #include "Pipeline/cslfVTKCompatibility.h"
+#include "SceneData/cslfTextureImage.h"
 #include "cslfImportedScene.h"
 
 #include <vtkCellData.h>

@@ -180,7 +180,7 @@ int FindComponent(vtkDataArray* array, const std::string& text)
       return i;
     }
   }
-  throw LookProblem("The array " + GetName(array) + " has no component " + text +
+  throw LookError("The array " + GetName(array) + " has no component " + text +
     (count == 1 ? ": it has only one."
                 : ": there are 0 to " + std::to_string(count - 1) +
           " (x, y, z for the first three) and magnitude."));
@@ -211,8 +211,8 @@ void SurfaceColoring::Apply(vtkTable* legend)
     !(std::isfinite(this->Range[0]) && std::isfinite(this->Range[1]) &&
       this->Range[0] < this->Range[1]))
   {
-    throw LookProblem("The first number of ColorRange must be smaller than the second, and both "
-                      "must be finite.");
+    throw LookError("The first number of ColorRange must be smaller than the second, and both "
+                    "must be finite.");
   }
   this->ChooseArrays();
   const bool isForced = this->ColorMap != AutomaticColors || this->Range;
@@ -287,7 +287,7 @@ void SurfaceColoring::FailForArray() const
   const std::string points = this->ListArrays(false, "of points: ");
   const std::string cells = this->ListArrays(true, "of cells: ");
   const std::string lists = points + (points.empty() || cells.empty() ? "" : "; ") + cells;
-  throw LookProblem("There is no array " + this->ArrayName + " to colour by: " +
+  throw LookError("There is no array " + this->ArrayName + " to colour by: " +
     (lists.empty() ? "the scene has no arrays." : "the scene has the arrays " + lists + "."));
 }
 

@@ -20,7 +20,7 @@ class vtkTable;
 namespace cslf
 {
 /// Why data and properties do not fit together.
-struct LookProblem : std::runtime_error
+struct LookError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
@@ -39,7 +39,7 @@ public:
   int ColorMap = 0;              ///< a value of the option
   const double* Range = nullptr; ///< null if it is automatic
 
-  /// Adds what is shown to a legend. Throws a LookProblem.
+  /// Adds what is shown to a legend. Throws a LookError.
   void Apply(vtkTable* legend);
 
 private:

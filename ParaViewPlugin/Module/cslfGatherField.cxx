@@ -155,7 +155,7 @@ vtkSmartPointer<vtkImageData> GatherField(
   {
     return fault.empty() ? part : nullptr;
   }
-  if (ShareFault(controller, fault) >= 0)
+  if (ShareError(controller, fault) >= 0)
   {
     return nullptr;
   }

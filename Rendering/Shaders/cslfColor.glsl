@@ -30,5 +30,5 @@ vec4 BlendColor(LookupResult result)
     weights.y * ReadColor(result.Place10, result.IsNearest) +
     weights.z * ReadColor(result.Place01, result.IsNearest) +
     weights.w * ReadColor(result.Place11, result.IsNearest);
-  return color / max(weights.x + weights.y + weights.z + weights.w, LeastWeight);
+  return color / max(weights.x + weights.y + weights.z + weights.w, MinimumWeight);
 }

@@ -108,7 +108,7 @@ vec4 GatherInverseDepths(Place place, vec2 base)
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,
     texelFetch(DepthTexture, address, 0).r);
 #endif
-  return 1.0 / max(depth, LeastDepth);
+  return 1.0 / max(depth, MinimumDepth);
 }
 
 // The inverse depths of the four texels around a place, in the order of GatherInverseDepths, the

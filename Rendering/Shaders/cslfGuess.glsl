@@ -9,7 +9,7 @@ uniform vec2 PictureSize;     // of the picture that is drawn, in pixels
 // The largest distance of the surface from the plane of a guess, relative to w, and the smallest
 // slope for computing a shift.
 const float GuessTolerance = 0.02;
-const float LeastSlope = 0.01;
+const float MinimumSlope = 0.01;
 
 // The guess around a fragment: z of DC of four of its pixels, at the lower corner, at upper x, at
 // upper y and at both.
@@ -118,7 +118,7 @@ LookupResult LookupGuessed(Ray ray)
   vec4 slopes = GuessSlopes(views, plane, atEntry);
   vec4 fromFront = vec4(greaterThan(slopes, vec4(0.0)));
   vec4 sees = fromFront * vec4(lessThan(abs(clearances), vec4(EdgeStep * w)));
-  vec4 shifts = sees * clearances / max(slopes, vec4(LeastSlope));
+  vec4 shifts = sees * clearances / max(slopes, vec4(MinimumSlope));
   bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
   bool isSurface = sees != vec4(0.0) && all(lessThan(abs(shifts), vec4(GuessTolerance * w)));
   if (!isInside || isSeenThrough || !isSurface)

@@ -88,7 +88,7 @@ ViewCell MakeCell(vec3 entry, vec4 slots, vec2 lower, vec2 upper)
   views.View10 = MakeView(slots.y, vec2(far.x, near.y), vec2(farWeight.x, nearWeight.y));
   views.View01 = MakeView(slots.z, vec2(near.x, far.y), vec2(nearWeight.x, farWeight.y));
   views.View11 = MakeView(slots.w, far, farWeight);
-  views.Stride = min(2.0 * TexelsPerStep / (Resolution * length(far - entry.xy)), MostStride);
+  views.Stride = min(2.0 * TexelsPerStep / (Resolution * length(far - entry.xy)), MaximumStride);
   return views;
 }
 
@@ -144,7 +144,7 @@ Projection Project(View view, vec3 point)
   vec3 share = ShareOfWays(view, direction);
   Projection seen;
   seen.At.Slice = view.Slice;
-  seen.InverseDepth = 1.0 / max(max(max(share.x, share.y), share.z), LeastDepth);
+  seen.InverseDepth = 1.0 / max(max(max(share.x, share.y), share.z), MinimumDepth);
   vec3 exit = vec3(view.Position, -1.0) + seen.InverseDepth * direction;
   float blockX = direction.x < 0.0 ? SideXBlocks.y : SideXBlocks.x;
   float blockY = direction.y < 0.0 ? SideYBlocks.y : SideYBlocks.x;
@@ -161,7 +161,7 @@ float GuessSurface(Ray ray, View view, float fraction)
 #ifdef HAS_DEPTH
   vec3 point = ray.Entry + fraction * ray.Chord;
   Projection seen = Project(view, point);
-  float depth = max(ReadNearestDepth(seen.At), LeastDepth);
+  float depth = max(ReadNearestDepth(seen.At), MinimumDepth);
   vec3 viewpoint = vec3(view.Position, 0.0);
   vec3 surface = viewpoint + (point - viewpoint) * (seen.InverseDepth * depth);
   float guess = clamp(dot(surface - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord), 0.0, 1.0);
@@ -302,7 +302,7 @@ float RefineCrossing(Ray ray, View view, float before, float behind, float clear
   for (int i = 0; i < Refinements; ++i)
   {
     float share = clearanceBehind / (clearanceBehind - clearanceBefore);
-    w = mix(behind, before, clamp(share, LeastShare, 1.0 - LeastShare));
+    w = mix(behind, before, clamp(share, MinimumShare, 1.0 - MinimumShare));
     float clearance = Clearance(view, ray.Entry + ray.Chord / w);
     if (abs(clearance) < Convergence * w)
     {
@@ -326,7 +326,7 @@ float RefineCrossing(Ray ray, View view, float before, float behind, float clear
 bool FindStep(
   Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all, inout Step step)
 {
-  while (step.Behind > range.y && step.Count < MostSteps)
+  while (step.Behind > range.y && step.Count < MaximumSteps)
   {
     step.Behind = SkipEmpty(gridRay, step.Behind, range.y);
     if (step.Behind <= range.y)
@@ -351,7 +351,7 @@ bool FindStep(
       {
         return true;
       }
-      inside = step.Behind > range.y && step.Count < MostSteps && IsOccupied(gridRay, step.Behind);
+      inside = step.Behind > range.y && step.Count < MaximumSteps && IsOccupied(gridRay, step.Behind);
     }
   }
   return false;
@@ -408,7 +408,7 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   float w = 0.0;
   vec4 clearances = vec4(0.0);
   bool isFound = false;
-  for (int i = 0; i < MostCandidates; ++i)
+  for (int i = 0; i < MaximumCandidates; ++i)
   {
     if (!FindStep(ray, views, gridRay, range, all, step))
     {
@@ -469,7 +469,7 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
 LookupResult FindVisible(Ray ray, ViewCell views, Surface surface)
 {
   vec4 weights = ListWeights(views);
-  vec4 visible = (weights + LeastWeight) * surface.Sight;
+  vec4 visible = (weights + MinimumWeight) * surface.Sight;
   float sum = dot(visible, vec4(1.0));
   return FindPlaces(views, ray.Entry + ray.Chord / surface.W, sum > 0.0 ? visible / sum : weights,
     1.0 / surface.W);

@@ -21,9 +21,9 @@ GridRay CastGridRay(Ray ray)
   GridRay gridRay;
   gridRay.Entry = ((FCCCMatrix * vec4(ray.Entry, 1.0)).xyz - SceneMinimum) * scale;
   gridRay.Chord = mat3(FCCCMatrix) * ray.Chord * scale;
-  gridRay.Chord = vec3(abs(gridRay.Chord.x) < LeastChord ? LeastChord : gridRay.Chord.x,
-    abs(gridRay.Chord.y) < LeastChord ? LeastChord : gridRay.Chord.y,
-    abs(gridRay.Chord.z) < LeastChord ? LeastChord : gridRay.Chord.z);
+  gridRay.Chord = vec3(abs(gridRay.Chord.x) < MinimumChord ? MinimumChord : gridRay.Chord.x,
+    abs(gridRay.Chord.y) < MinimumChord ? MinimumChord : gridRay.Chord.y,
+    abs(gridRay.Chord.z) < MinimumChord ? MinimumChord : gridRay.Chord.z);
   gridRay.InverseChord = 1.0 / gridRay.Chord;
   return gridRay;
 }
@@ -61,7 +61,7 @@ float SkipEmpty(GridRay gridRay, float w, float last)
   float t = 1.0 / w;
   float end = 1.0 / last;
   vec3 ahead = step(vec3(0.0), gridRay.Chord);
-  for (int i = 0; i < MostSkips && t < end; ++i)
+  for (int i = 0; i < MaximumSkips && t < end; ++i)
   {
     vec3 cell = FindCell(gridRay, t);
     float rings = CountRings(cell);

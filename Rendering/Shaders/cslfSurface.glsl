@@ -98,14 +98,14 @@ Sighting See(View view, GeometryPoint surface)
   vec4 inverse = GatherInverseDepths(seen.At, base);
   // A plane's inverse depth is linear over a tile.
   vec2 slope = ToExitFace(ShareOfWays(view, way), way, surface.Normal) * (2.0 / Resolution) /
-    min(-facing, -LeastFacing * length(way));
+    min(-facing, -MinimumFacing * length(way));
   vec4 expected = seen.InverseDepth + slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - weight.x) +
     slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - weight.y);
   float tolerance = SurfaceTolerance * seen.InverseDepth +
     min(0.5 * (abs(slope.x) + abs(slope.y)), SlopeTolerance * seen.InverseDepth);
   vec4 shares = vec4((1.0 - weight.x) * weight.y, weight.x * weight.y,
     weight.x * (1.0 - weight.y), (1.0 - weight.x) * (1.0 - weight.y));
-  float isSeen = step(LeastFacing * length(way), facing) * IsKept(seen.At);
+  float isSeen = step(MinimumFacing * length(way), facing) * IsKept(seen.At);
   Sighting sighting;
   sighting.Address = TexelAddress(seen.At, base);
   sighting.Texels =
@@ -145,7 +145,7 @@ vec4 ToMean(vec4 sum)
 float NearnessOf(vec2 viewpoint, GeometryPoint surface)
 {
   vec3 toView = normalize(vec3(viewpoint, 0.0) - surface.Point);
-  float away = length(toView - surface.ToEye) + LeastAngle;
+  float away = length(toView - surface.ToEye) + MinimumAngle;
   return 1.0 / (away * away);
 }
 
@@ -162,14 +162,14 @@ vec3 FindViewpoint(vec2 coordinates)
 bool IsFacing(vec2 viewpoint, GeometryPoint surface)
 {
   vec3 toView = vec3(viewpoint, 0.0) - surface.Point;
-  return dot(surface.Normal, toView) >= LeastFacing * length(toView);
+  return dot(surface.Normal, toView) >= MinimumFacing * length(toView);
 }
 
 // By the viewpoints around the entry. Nothing, if they see little of the point.
 vec4 LookupNear(GeometryPoint surface)
 {
   ViewCell views = FindViews(vec3(surface.Entry, 0.0));
-  vec4 weights = ListWeights(views) + LeastWeight;
+  vec4 weights = ListWeights(views) + MinimumWeight;
   vec4 sum = vec4(0.0);
   float share = 0.0;
   Add(sum, share, views.View00, weights.x, surface);

@@ -3,8 +3,8 @@
 #include "cslfBenchmarks.h"
 
 #include "PathTracing/Rays/cslfEmbree.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
-#include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfSamplePlaces.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "cslfDescription.h"

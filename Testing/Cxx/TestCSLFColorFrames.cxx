@@ -22,8 +22,8 @@ constexpr int Height = Tile;
 struct Case
 {
   AVPixelFormat Format;
-  int Worst;        ///< the allowed error of a colour component of noise, 255 for subsampled chroma
-  double LeastPSNR; ///< of smooth colours
+  int Worst; ///< the allowed error of a colour component of noise, 255 for subsampled chroma
+  double MinimumPSNR; ///< of smooth colours
 };
 
 const Case Cases[] = {
@@ -130,7 +130,7 @@ void TestFormat(const Case& item)
             << ofNoise.Worst << "; smooth " << ofSmooth.Mean << ", " << ofSmooth.GetPSNR()
             << " dB\n";
   CSLF_CHECK(std::abs(ofSmooth.Mean) < 0.03);
-  CSLF_CHECK(ofSmooth.GetPSNR() > item.LeastPSNR);
+  CSLF_CHECK(ofSmooth.GetPSNR() > item.MinimumPSNR);
   if (item.Worst < 255)
   {
     CSLF_CHECK(std::abs(ofNoise.Mean) < 0.03);

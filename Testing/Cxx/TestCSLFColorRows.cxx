@@ -6,7 +6,7 @@
 #include "cslfTesting.h"
 
 #include "Coding/Frames/cslfColorRows.h"
-#include "Coding/Frames/cslfDepthCurve.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 #include "Coding/Frames/cslfRadianceFrames.h"
 
 #include <algorithm>
@@ -165,7 +165,7 @@ void TestRadianceCodes()
   CSLF_CHECK(radiances.back() == static_cast<float>(cslf::MaximumRadiance));
   double margin = 1.0;
   int wrong = 0;
-  for (int code = 0; code <= cslf::LargestPQCode; ++code)
+  for (int code = 0; code <= cslf::MaximumPQCode; ++code)
   {
     const float radiance = radiances[code];
     wrong += cslf::RadianceToPQCode(radiance) == code ? 0 : 1;
@@ -186,8 +186,8 @@ void TestRadianceCodes()
   {
     CSLF_CHECK(cslf::RadianceToPQCode(none) == 0);
   }
-  CSLF_CHECK(cslf::RadianceToPQCode(1e30F) == cslf::LargestPQCode);
-  CSLF_CHECK(cslf::RadianceToPQCode(std::numeric_limits<float>::infinity()) == cslf::LargestPQCode);
+  CSLF_CHECK(cslf::RadianceToPQCode(1e30F) == cslf::MaximumPQCode);
+  CSLF_CHECK(cslf::RadianceToPQCode(std::numeric_limits<float>::infinity()) == cslf::MaximumPQCode);
 }
 }
 

@@ -4,7 +4,6 @@
 // In a program whose language has a decimal comma, texts in files and options of encoders mean the
 // same as in any other.
 #include "PathTracing/Lights/cslfEnvironment.h"
-#include "PathTracing/Materials/cslfImageCurve.h"
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"

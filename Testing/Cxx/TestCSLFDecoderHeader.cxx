@@ -4,7 +4,7 @@
 // Files with headers that no encoder writes: one line of error, never a crash. Files of later
 // versions, and damaged ones, are read as far as they can be.
 #include "Coding/Containers/cslfContainerReader.h"
-#include "Coding/Frames/cslfDepthCurve.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 #include "cslfJSONText.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"
@@ -89,7 +89,7 @@ void TestDeep(const std::string& folder)
 /// The header of the original as this version writes it, with two parts.
 cslf::testing::Tags MakeTags()
 {
-  cslf::OpenFailure failure;
+  cslf::OpenError failure;
   const auto reader = cslf::ContainerReader::Open(Original, failure);
   CSLF_CHECK(reader != nullptr);
   cslf::FileHeader header = reader ? reader->GetHeader() : cslf::FileHeader();

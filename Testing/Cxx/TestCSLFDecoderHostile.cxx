@@ -30,7 +30,7 @@ constexpr int FramesOfGroup = 8;
 
 std::unique_ptr<cslf::ContainerReader> Open(const std::string& fileName)
 {
-  cslf::OpenFailure failure;
+  cslf::OpenError failure;
   auto reader = cslf::ContainerReader::Open(fileName, failure);
   CSLF_CHECK(reader != nullptr);
   return reader;

@@ -139,24 +139,24 @@ void TestMisfits()
 }
 
 template <typename Change>
-void CheckFault(const char* fault, Change change)
+void CheckError(const char* fault, Change change)
 {
   cslf::Description description = MakeDescription();
-  CSLF_CHECK(description.FindFault().empty());
+  CSLF_CHECK(description.FindError().empty());
   change(description);
-  if (description.FindFault().find(fault) == std::string::npos)
+  if (description.FindError().find(fault) == std::string::npos)
   {
-    std::cerr << "expected \"" << fault << "\", not \"" << description.FindFault() << "\"\n";
+    std::cerr << "expected \"" << fault << "\", not \"" << description.FindError() << "\"\n";
     CSLF_CHECK(false);
   }
 }
 
 template <typename Change>
-void CheckNoFault(Change change)
+void CheckNoError(Change change)
 {
   cslf::Description description = MakeDescription();
   change(description);
-  CSLF_CHECK(description.FindFault().empty());
+  CSLF_CHECK(description.FindError().empty());
 }
 
 void TestChannels()
@@ -168,23 +168,23 @@ void TestChannels()
   const auto setSecond = [](const Channel& channel)
   { return [channel](Description& description) { description.Channels[1] = channel; }; };
   const char* misfit = "cannot have";
-  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 3, cslf::SRGBEncoding }));
-  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_SHORT, 4, cslf::SRGBEncoding }));
-  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 4, cslf::LinearEncoding }));
-  CheckFault(misfit, setFirst({ "Color", VTK_FLOAT, 4, cslf::SRGBEncoding }));
-  CheckFault(misfit, setFirst({ "Color", VTK_DOUBLE, 4, cslf::LinearEncoding }));
-  CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_CHAR, 1, cslf::DepthEncoding }));
-  CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_SHORT, 2, cslf::DepthEncoding }));
-  CheckFault(misfit, setSecond({ "Depth", VTK_FLOAT, 1, "metres" }));
-  CheckFault(
+  CheckError(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 3, cslf::SRGBEncoding }));
+  CheckError(misfit, setFirst({ "Color", VTK_UNSIGNED_SHORT, 4, cslf::SRGBEncoding }));
+  CheckError(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 4, cslf::LinearEncoding }));
+  CheckError(misfit, setFirst({ "Color", VTK_FLOAT, 4, cslf::SRGBEncoding }));
+  CheckError(misfit, setFirst({ "Color", VTK_DOUBLE, 4, cslf::LinearEncoding }));
+  CheckError(misfit, setSecond({ "Depth", VTK_UNSIGNED_CHAR, 1, cslf::DepthEncoding }));
+  CheckError(misfit, setSecond({ "Depth", VTK_UNSIGNED_SHORT, 2, cslf::DepthEncoding }));
+  CheckError(misfit, setSecond({ "Depth", VTK_FLOAT, 1, "metres" }));
+  CheckError(
     "two channels", setSecond(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_UNSIGNED_CHAR)));
-  CheckFault("two channels", setSecond(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
-  CheckFault("printable", setSecond({ "", VTK_FLOAT, 1, "" }));
-  CheckFault("printable", setSecond({ std::string("Color\0", 6), VTK_FLOAT, 1, "" }));
-  CheckFault("printable", setSecond({ std::string(101, 'a'), VTK_FLOAT, 1, "" }));
-  CheckFault("components", setSecond({ "Normals", VTK_FLOAT, 0, "" }));
-  CheckFault("components", setSecond({ "Normals", VTK_FLOAT, 65, "" }));
-  CheckFault("16 channels",
+  CheckError("two channels", setSecond(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
+  CheckError("printable", setSecond({ "", VTK_FLOAT, 1, "" }));
+  CheckError("printable", setSecond({ std::string("Color\0", 6), VTK_FLOAT, 1, "" }));
+  CheckError("printable", setSecond({ std::string(101, 'a'), VTK_FLOAT, 1, "" }));
+  CheckError("components", setSecond({ "Normals", VTK_FLOAT, 0, "" }));
+  CheckError("components", setSecond({ "Normals", VTK_FLOAT, 65, "" }));
+  CheckError("16 channels",
     [](Description& description)
     {
       for (int k = 0; k < 15; ++k)
@@ -192,9 +192,9 @@ void TestChannels()
         description.Channels.push_back({ std::to_string(k), VTK_FLOAT, 1, "" });
       }
     });
-  CheckNoFault(setFirst(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
-  CheckNoFault(setSecond(cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_FLOAT)));
-  CheckNoFault(setSecond({ "Normals", VTK_FLOAT, 3, "" }));
+  CheckNoError(setFirst(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
+  CheckNoError(setSecond(cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_FLOAT)));
+  CheckNoError(setSecond({ "Normals", VTK_FLOAT, 3, "" }));
 }
 
 void TestSizes()
@@ -202,12 +202,12 @@ void TestSizes()
   using cslf::Description;
   const auto setGrid = [](const cslf::Layout& grid)
   { return [grid](Description& description) { description.Grid = grid; }; };
-  CheckFault("not valid", setGrid(cslf::Layout(cslf::MaximumViewpoints + 1, 16)));
-  CheckFault("not valid", setGrid(cslf::Layout(2, cslf::MaximumResolution + 1)));
-  CheckFault("not valid", setGrid(cslf::Layout(1 << 17, { 0, (1 << 17) - 1 }, 16)));
-  CheckNoFault(setGrid(cslf::Layout(cslf::MaximumViewpoints, 128)));
-  CheckNoFault(setGrid(cslf::Layout(2, cslf::MaximumResolution)));
-  CheckFault(
+  CheckError("not valid", setGrid(cslf::Layout(cslf::MaximumViewpoints + 1, 16)));
+  CheckError("not valid", setGrid(cslf::Layout(2, cslf::MaximumResolution + 1)));
+  CheckError("not valid", setGrid(cslf::Layout(1 << 17, { 0, (1 << 17) - 1 }, 16)));
+  CheckNoError(setGrid(cslf::Layout(cslf::MaximumViewpoints, 128)));
+  CheckNoError(setGrid(cslf::Layout(2, cslf::MaximumResolution)));
+  CheckError(
     "too many texels", setGrid(cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution)));
 
   cslf::Description description = MakeDescription();
@@ -233,15 +233,15 @@ void TestPlaces()
   const double infinity = std::numeric_limits<double>::infinity();
   for (double bad : { nan, infinity, -infinity, 1e300, -1e300 })
   {
-    CheckFault("limits", setBox({ { 0, bad, 0 }, { 1, 1, 1 } }));
-    CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 1, bad } }));
-    CheckFault("bounds", [bad](Description& description) { (*description.SceneBounds)[3] = bad; });
+    CheckError("limits", setBox({ { 0, bad, 0 }, { 1, 1, 1 } }));
+    CheckError("limits", setBox({ { 0, 0, 0 }, { 1, 1, bad } }));
+    CheckError("bounds", [bad](Description& description) { (*description.SceneBounds)[3] = bad; });
   }
-  CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 0, 1 } }));
-  CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 1e-300, 1 } }));
-  CheckFault("too small", setBox({ { 1e20, 0, 0 }, { 1, 1, 1 } }));
-  CheckNoFault(setBox({ { 6.4e6, 0, 0 }, { 0.01, 1, 1 } }));
-  CheckFault("outside", [](Description& description) { description.Box.Center.y = 4.0; });
+  CheckError("limits", setBox({ { 0, 0, 0 }, { 1, 0, 1 } }));
+  CheckError("limits", setBox({ { 0, 0, 0 }, { 1, 1e-300, 1 } }));
+  CheckError("too small", setBox({ { 1e20, 0, 0 }, { 1, 1, 1 } }));
+  CheckNoError(setBox({ { 6.4e6, 0, 0 }, { 0.01, 1, 1 } }));
+  CheckError("outside", [](Description& description) { description.Box.Center.y = 4.0; });
 }
 
 /// A wrong array: of the right type but shorter than the image.

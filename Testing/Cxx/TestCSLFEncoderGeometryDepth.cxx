@@ -170,7 +170,7 @@ struct Case
 
   cslf::FileHeader ReadHeader() const
   {
-    cslf::OpenFailure failure;
+    cslf::OpenError failure;
     const auto reader = cslf::ContainerReader::Open(this->FileName, failure);
     CSLF_CHECK(reader != nullptr);
     return reader ? reader->GetHeader() : cslf::FileHeader();

@@ -42,9 +42,9 @@ void TestNodes()
       CSLF_CHECK(good);
     }
   }
-  CSLF_CHECK(cslf::KeyViews::FindFault(9, 8).empty());
-  CSLF_CHECK(!cslf::KeyViews::FindFault(9, 9).empty());
-  CSLF_CHECK(!cslf::KeyViews::FindFault(9, 0).empty());
+  CSLF_CHECK(cslf::KeyViews::FindError(9, 8).empty());
+  CSLF_CHECK(!cslf::KeyViews::FindError(9, 9).empty());
+  CSLF_CHECK(!cslf::KeyViews::FindError(9, 0).empty());
 }
 
 void SetUp(vtkCSLFEncoder* encoder, const std::string& fileName)
@@ -58,7 +58,7 @@ void TestSlices(
   const std::string& fileName, int viewpoints, int step, const std::vector<int>& nodes)
 {
   const auto field = cslf::testing::MakeByteField(viewpoints, 16);
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   vtkNew<vtkCSLFEncoder> encoder;
   SetUp(encoder, fileName);
   encoder->LosslessOn();

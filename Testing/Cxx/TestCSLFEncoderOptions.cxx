@@ -51,7 +51,7 @@ void CodeOneFrame(AVCodecContext* context)
 }
 
 /// The error of a list of options. Empty if there is none.
-std::string FindFault(const Case& item, const cslf::VideoEncoder& encoder,
+std::string FindError(const Case& item, const cslf::VideoEncoder& encoder,
   std::vector<cslf::EncoderOption> cslf::EncoderOptions::*list, const cslf::EncoderOption& more)
 {
   cslf::Track track;
@@ -81,13 +81,13 @@ void TestEncoder(const Case& item, const cslf::VideoEncoder& encoder)
   // Again after each refusal: an earlier check must not count for other options.
   for (int round = 0; round < 2; ++round)
   {
-    CSLF_CHECK(FindFault(item, encoder, ofLibrary, {}).empty());
-    CSLF_CHECK(FindFault(item, encoder, ofLibrary, { "no-such-option", "1" }) ==
+    CSLF_CHECK(FindError(item, encoder, ofLibrary, {}).empty());
+    CSLF_CHECK(FindError(item, encoder, ofLibrary, { "no-such-option", "1" }) ==
       refusal + "\"no-such-option=1\"");
-    CSLF_CHECK(FindFault(item, encoder, ofLibrary, { item.Option, item.Value }) ==
+    CSLF_CHECK(FindError(item, encoder, ofLibrary, { item.Option, item.Value }) ==
       refusal + "\"" + item.Option + "=" + item.Value + "\"");
-    CSLF_CHECK(FindFault(item, encoder, ofFFmpeg, { "no-such", "1" }) == refusal + "\"no-such=1\"");
-    CSLF_CHECK(FindFault(item, encoder, ofFFmpeg, { "crf", "good" }) == refusal + "\"crf=good\"");
+    CSLF_CHECK(FindError(item, encoder, ofFFmpeg, { "no-such", "1" }) == refusal + "\"no-such=1\"");
+    CSLF_CHECK(FindError(item, encoder, ofFFmpeg, { "crf", "good" }) == refusal + "\"crf=good\"");
   }
 }
 }

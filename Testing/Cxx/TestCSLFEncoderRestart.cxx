@@ -53,7 +53,7 @@ void Set(vtkCSLFEncoder* encoder, const std::string& fileName, const Change& cha
 Outcome Write(
   vtkImageData* field, const std::string& fileName, const Change& change = [](vtkCSLFEncoder*) {})
 {
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   Set(encoder, fileName, change);

@@ -24,13 +24,13 @@
 
 namespace
 {
-using cslf::testing::MakeSource;
+using cslf::testing::MakeStore;
 
 void TestThreads(vtkImageData* field, const std::string& folder)
 {
   for (int threads : { 1, 2 })
   {
-    const auto source = MakeSource(field);
+    const auto source = MakeStore(field);
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetInputConnection(source->GetOutputPort());
     encoder->SetPreset("ultrafast");
@@ -39,7 +39,7 @@ void TestThreads(vtkImageData* field, const std::string& folder)
     int written = 0;
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads }, [&]() { written = encoder->Write(); });
     CSLF_CHECK(written == 1);
-    CSLF_CHECK(source->LargestRequest <= 32 * threads);
+    CSLF_CHECK(source->MaximumRequest <= 32 * threads);
     CSLF_CHECK(source->Slices <= field->GetExtent()[5] + 2);
   }
   const auto one = cslf::testing::ReadBytes(folder + "/threads1.mkv");
@@ -50,7 +50,7 @@ void TestAbort(vtkImageData* field, const std::string& folder)
 {
   const std::string fileName = folder + "/aborted.mp4";
   cslf::testing::WriteBytes(fileName, { 'o', 'l', 'd' });
-  const auto source = MakeSource(field);
+  const auto source = MakeStore(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   encoder->SetPreset("ultrafast");
@@ -130,7 +130,7 @@ void TestPhases(const std::string& folder)
 void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
 {
   const std::string fileName = folder + "/failing.mkv";
-  const auto source = MakeSource(field);
+  const auto source = MakeStore(field);
   source->FailingSlice = slice;
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
@@ -144,7 +144,7 @@ void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
   CSLF_CHECK(!cslf::testing::Exists(fileName));
   const bool isKept = cslf::testing::Exists(fileName + ".partial");
   CSLF_CHECK(isKept == (slice > 0));
-  const auto whole = MakeSource(field);
+  const auto whole = MakeStore(field);
   vtkNew<vtkCSLFEncoder> next;
   next->SetInputConnection(whole->GetOutputPort());
   next->SetPreset("ultrafast");

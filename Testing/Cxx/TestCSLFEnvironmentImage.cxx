@@ -4,7 +4,6 @@
 // The meaning of values in image files, by format and by the names of colour spaces in all versions
 // of OpenImageIO.
 #include "PathTracing/Lights/cslfEnvironment.h"
-#include "PathTracing/Materials/cslfImageCurve.h"
 #include "cslfTesting.h"
 
 #include <vtkTestUtilities.h>

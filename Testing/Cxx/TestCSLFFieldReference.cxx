@@ -196,10 +196,10 @@ void TestSlabsAndThreads()
   const auto whole = MakeReference(field, 32, 700);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&]() { whole->Update(); });
   const auto parts = MakeReference(field, 32, 700);
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   parts->SetInputConnection(1, source->GetOutputPort());
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&]() { parts->Update(); });
-  CSLF_CHECK(source->LargestRequest == 1 && source->Slices <= slices + 1);
+  CSLF_CHECK(source->MaximumRequest == 1 && source->Slices <= slices + 1);
   CSLF_CHECK(parts->GetPSNR() == whole->GetPSNR());
   CSLF_CHECK(parts->GetNoiseFloor() == whole->GetNoiseFloor());
   for (const char* name : { "Reference", "Field", "Texel" })

@@ -40,7 +40,7 @@ double CountOthers(const cslf::testing::Picture& picture)
   return static_cast<double>(others) / (Size * Size);
 }
 
-void CheckFault(vtkPolyData* geometry, vtkCSLFSampler* sampler)
+void CheckError(vtkPolyData* geometry, vtkCSLFSampler* sampler)
 {
   vtkNew<vtkCSLFMapper> mapper;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -98,10 +98,10 @@ int TestCSLFMapperEnvironment(int, char*[])
   vtkNew<vtkPolyData> missing;
   missing->DeepCopy(sampler->GetGeometry());
   missing->GetPolys()->InsertNextCell({ 0, 1, missing->GetNumberOfPoints() });
-  CheckFault(missing, sampler);
+  CheckError(missing, sampler);
   vtkNew<vtkPolyData> outside;
   outside->DeepCopy(sampler->GetGeometry());
   outside->GetPoints()->SetPoint(0, 7.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
-  CheckFault(outside, sampler);
+  CheckError(outside, sampler);
   return cslf::testing::Result();
 }

@@ -4,7 +4,7 @@
 // A field drawn from its decoder: the same pictures as from memory, coarse ones at first unless the
 // mapper waits, within a budget of graphics memory, and despite damage.
 #include "Lookup/cslfLookup.h"
-#include "Pipeline/cslfViewpointSource.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "cslfCodecTesting.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -350,10 +350,10 @@ void TestStatic(const std::string& fileName, vtkImageData* whole)
     CSLF_CHECK(streamed.Mapper->IsComplete());
     // Whoever asks the decoder for something opens the other file. The mapper keeps its own.
     vtkNew<vtkImageData> image;
-    const auto source = streamed.Decoder->GetViewpointSource();
-    CSLF_CHECK(source->GetDescription().Grid.GetViewpoints() == Viewpoints);
+    const auto store = cslf::BorrowStore(streamed.Decoder->GetOutputInformation(0));
+    CSLF_CHECK(store->GetDescription().Grid.GetViewpoints() == Viewpoints);
     CSLF_CHECK(
-      source->Get(6 * Viewpoints * Viewpoints - 1).Get<unsigned char>(cslf::KnownChannel::Color) !=
+      store->Get(6 * Viewpoints * Viewpoints - 1).Get<unsigned char>(cslf::KnownChannel::Color) !=
       nullptr);
     CSLF_CHECK(ComparePictures(view.Render(), expected) > Same);
     CSLF_CHECK(streamed.Decoder->GetViewpoint(viewpoints, image));

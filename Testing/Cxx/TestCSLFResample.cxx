@@ -257,14 +257,14 @@ void TestStreaming()
 {
   const auto field = cslf::testing::MakeByteField(9, 16);
   const auto whole = Resample(field, 2, 2);
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);
   resample->SetViewpointStride(2);
   for (const auto& [first, last] : { std::pair{ 0, 0 }, { 3, 11 }, { 20, 60 }, { 149, 149 } })
   {
-    source->LargestRequest = 0;
+    source->MaximumRequest = 0;
     source->Slices = 0;
     int extent[6] = { 0, 39, 0, 7, first, last };
     CSLF_CHECK(resample->UpdateExtent(extent) == 1);
@@ -272,7 +272,7 @@ void TestStreaming()
     CSLF_CHECK(slab->GetExtent()[4] == first && slab->GetExtent()[5] == last);
     CSLF_CHECK(cslf::testing::HasEqualSlices(slab, whole));
     // Of the input's rows, only every other one; two where faces meet.
-    CSLF_CHECK(source->LargestRequest <= 18);
+    CSLF_CHECK(source->MaximumRequest <= 18);
     CSLF_CHECK(source->Slices <= 2 * (last - first + 1));
   }
 }
@@ -281,7 +281,7 @@ void TestStreaming()
 void TestVideo(const std::string& folder)
 {
   const auto field = cslf::testing::MakeByteField(5, 32);
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);
@@ -342,7 +342,7 @@ void TestErrors()
   TestRefused(picture, 2, 1, "not a light field");
 
   // If the input fails or is stopped, nothing is left.
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   source->FailingSlice = 70;
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
@@ -366,7 +366,7 @@ void TestErrors()
 void TestPhases()
 {
   const auto field = cslf::testing::MakeByteField(5, 16);
-  const auto source = cslf::testing::MakeSource(field);
+  const auto source = cslf::testing::MakeStore(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);

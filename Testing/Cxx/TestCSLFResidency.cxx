@@ -183,7 +183,7 @@ void BringAll(Residency& residency, int mostLevel)
 void TestRefinement()
 {
   const cslf::Layout grid(9, 16);
-  Residency residency(grid, Residency::LeastBlocks, 81);
+  Residency residency(grid, Residency::MinimumBlocks, 81);
   residency.Aim({ MakeFrustum({ 2.0, 3.0, 4.0 }) });
   CSLF_CHECK(!FindCoarsestCell(residency.MakeTable(4), 9));
   const auto missing = residency.ListMissing();
@@ -230,7 +230,7 @@ void TestTurns()
   };
   for (const auto& pair : pairs)
   {
-    Residency residency(cslf::Layout(17, 16), 2 * Residency::LeastBlocks, 17 * 17);
+    Residency residency(cslf::Layout(17, 16), 2 * Residency::MinimumBlocks, 17 * 17);
     for (int turn = 0; turn < 2; ++turn)
     {
       residency.Aim({ pair[turn] });
@@ -252,7 +252,7 @@ void TestTurns()
 void TestBudget()
 {
   const cslf::Layout grid(17, 16);
-  Residency residency(grid, Residency::LeastBlocks, 100);
+  Residency residency(grid, Residency::MinimumBlocks, 100);
   residency.Aim({ MakeFrustum({ 0.5, 0.5, 4.0 }) });
   const auto missing = residency.ListMissing();
   CSLF_CHECK(missing.size() == 100);
@@ -281,7 +281,7 @@ void TestBudget()
 void TestDamage()
 {
   const cslf::Layout grid(9, 16);
-  Residency residency(grid, Residency::LeastBlocks, 81);
+  Residency residency(grid, Residency::MinimumBlocks, 81);
   residency.Aim({ MakeFrustum({ 0.0, 0.1, 4.0 }) });
   residency.SetDamaged(grid.SliceOf({ 4, 3, 3 }));
   residency.SetDamaged(grid.SliceOf({ 4, 4, 4 }));

@@ -172,7 +172,7 @@ void TestChannels()
   sampler->Update();
   CSLF_CHECK(
     sampler->GetOutput()->GetPointData()->GetNumberOfArrays() == 1 + channels->GetNumberOfArrays());
-  CSLF_CHECK(GetDescription(sampler->GetOutput()).FindFault().empty());
+  CSLF_CHECK(GetDescription(sampler->GetOutput()).FindError().empty());
 }
 
 /// Pieces are z slabs, which together are the whole.

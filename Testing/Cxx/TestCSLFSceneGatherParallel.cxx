@@ -207,7 +207,7 @@ void TestParts(vtkMultiProcessController* controller)
   {
     inputs.clear();
   }
-  for (const std::size_t size : { std::size_t(1), std::size_t(999), cslf::LargestMessage })
+  for (const std::size_t size : { std::size_t(1), std::size_t(999), cslf::MaximumMessage })
   {
     cslf::SceneGather gather(controller, "", size);
     std::string error;

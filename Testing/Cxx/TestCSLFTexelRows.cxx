@@ -4,7 +4,7 @@
 // Rows of video samples become texels exactly as the formulas say.
 #include "cslfTesting.h"
 
-#include "Coding/Frames/cslfDepthCurve.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 #include "Coding/Frames/cslfTexelRows.h"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ namespace testing
 namespace
 {
 // The difference, in levels of 255, where the colour scale ends: differences are amplified 4 times.
-constexpr double LargestLevel = 64.0;
+constexpr double MaximumLevel = 64.0;
 
 // Sizes in pixels.
 constexpr int Gap = 4;
@@ -44,11 +44,11 @@ constexpr int Columns = 2;
 vtkSmartPointer<vtkColorTransferFunction> MakeDifferenceColors()
 {
   auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  colors->AddRGBPoint(-LargestLevel, 0.05, 0.15, 0.6);
-  colors->AddRGBPoint(-0.5 * LargestLevel, 0.35, 0.55, 0.95);
+  colors->AddRGBPoint(-MaximumLevel, 0.05, 0.15, 0.6);
+  colors->AddRGBPoint(-0.5 * MaximumLevel, 0.35, 0.55, 0.95);
   colors->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
-  colors->AddRGBPoint(0.5 * LargestLevel, 0.95, 0.5, 0.3);
-  colors->AddRGBPoint(LargestLevel, 0.6, 0.05, 0.05);
+  colors->AddRGBPoint(0.5 * MaximumLevel, 0.95, 0.5, 0.3);
+  colors->AddRGBPoint(MaximumLevel, 0.6, 0.05, 0.05);
   return colors;
 }
 

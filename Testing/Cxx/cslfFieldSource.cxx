@@ -32,7 +32,7 @@ int FieldSource::RequestData(
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const int slices = extent[5] - extent[4] + 1;
-  this->LargestRequest = std::max(this->LargestRequest, slices);
+  this->MaximumRequest = std::max(this->MaximumRequest, slices);
   this->Slices += slices;
   if (extent[4] <= this->FailingSlice && this->FailingSlice <= extent[5])
   {
@@ -51,7 +51,7 @@ int FieldSource::RequestData(
   return 1;
 }
 
-vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field)
+vtkSmartPointer<FieldSource> MakeStore(vtkImageData* field)
 {
   auto source = vtkSmartPointer<FieldSource>::New();
   source->Field = field;

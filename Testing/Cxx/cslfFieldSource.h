@@ -22,7 +22,7 @@ public:
   vtkTypeMacro(FieldSource, vtkImageAlgorithm);
 
   vtkSmartPointer<vtkImageData> Field;
-  int LargestRequest = 0;
+  int MaximumRequest = 0;
   int Slices = 0;        ///< made so far
   int FailingSlice = -1; ///< fails when it is requested
 
@@ -35,7 +35,7 @@ protected:
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
 };
 
-vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field);
+vtkSmartPointer<FieldSource> MakeStore(vtkImageData* field);
 }
 }
 

@@ -30,7 +30,7 @@ class ProgressWatch
 public:
   /// After an abort, these reports are those that are under way, of several levels of the work. VTK
   /// since 9.3 also reports the end of aborted filters: of the one that works, and of its consumer.
-  static constexpr int MostReportsAfterAbort =
+  static constexpr int MaximumReportsAfterAbort =
     VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? 6 : 4;
 
   /// Asks the algorithm to stop at a report in that phase, counted from 1. An empty name is that of
@@ -76,7 +76,7 @@ public:
   /// ten times a second.
   void CheckAborted() const
   {
-    if (this->ReportsAfterAbort < 0 || this->ReportsAfterAbort > MostReportsAfterAbort)
+    if (this->ReportsAfterAbort < 0 || this->ReportsAfterAbort > MaximumReportsAfterAbort)
     {
       std::cerr << "In \"" << this->Last << "\": " << this->ReportsAfterAbort << " reports\n";
       CSLF_CHECK(false);

@@ -11,7 +11,7 @@ namespace
 {
 constexpr int Groups = 3;
 constexpr double RawBytes = 1e5; // of a group
-constexpr int MostSteps = 100;
+constexpr int MaximumSteps = 100;
 
 /// A cost that halves in six factors, and an error that grows in proportion.
 cslf::GroupCost MakeCost(double factor)
@@ -32,13 +32,13 @@ void Run(const cslf::RateTarget& target, const std::string& text)
   int steps = 0;
   while (control.Next(tasks, error) && !tasks.empty())
   {
-    cslf::fuzzing::Require(++steps <= MostSteps);
+    cslf::fuzzing::Require(++steps <= MaximumSteps);
     for (const cslf::CodingTask& task : tasks)
     {
       cslf::fuzzing::Require(task.Group >= 0 && task.Group < Groups);
       for (const double factor : task.Factors)
       {
-        cslf::fuzzing::Require(factor >= cslf::LeastFactor && factor <= cslf::MostFactor);
+        cslf::fuzzing::Require(factor >= cslf::MinimumFactor && factor <= cslf::MaximumFactor);
         task.IsTrial ? control.AddTrial(task.Group, factor, MakeCost(factor))
                      : control.AddCoded(task.Group, MakeCost(factor));
       }

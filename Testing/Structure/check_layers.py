@@ -28,36 +28,36 @@ LAYERS = {
     "Filters/Coding": ["Module", "Filters/SIMD", "Filters/Files", "Filters/Parallel",
         "Filters/Pipeline", "Filters/Resampling", "Filters/Lookup", "Filters/Quality",
         "Filters/Geometry"],
+    "Filters/PathTracing/Materials": ["Module", "Filters/SIMD", "Filters/RandomNumbers",
+        "Filters/Files"],
+    "Filters/SceneData": ["Module", "Filters/Options", "Filters/Pipeline",
+        "Filters/PathTracing/Materials"],
     "Filters/PathTracing": ["Module", "Filters/SIMD", "Filters/Options", "Filters/RandomNumbers",
         "Filters/Files", "Filters/Parallel", "Filters/Pipeline", "Filters/Quality",
-        "Filters/Geometry"],
+        "Filters/Geometry", "Filters/SceneData", "Filters/PathTracing/Materials"],
     "Filters/CubeMaps": ["Module", "Filters/Files", "Filters/Pipeline"],
-    "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/PathTracing"],
-    "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneImport"],
+    "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/SceneData"],
+    "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneData", "Filters/SceneImport"],
     "Filters/SceneLook": ["Module"],
     "Filters/Scenes": [],
-    "Filters/Planning": ["Module", "Filters/Files", "Filters/Coding", "Filters/CubeMaps"],
+    "Filters/Planning": ["Module", "Filters/Options", "Filters/Files", "Filters/Pipeline",
+        "Filters/Coding", "Filters/CubeMaps"],
     "Rendering": ["Module", "Filters/Options", "Filters/Pipeline", "Filters/Lookup"],
 }
 
 # Classes of Filters itself that single layers may use.
 CLASSES = {
-    "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
-    "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
-    "Filters/GLTF": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
-    "Filters/Planning": {"vtkCSLFSampler.h"},
+    "Filters/Planning": {"vtkCSLFEncoder.h", "vtkCSLFRadianceCacheOptions.h",
+        "vtkCSLFRateControl.h", "vtkCSLFSampler.h"},
     "Filters/Pipeline": {"vtkCSLFDecoder.h"},
     "Rendering": {"vtkCSLFDecoder.h"},
 }
 
-# Folders that still include each other: the classes of Filters and what they consist of, and paths
-# that look light up in a cache that is filled by paths.
-MUTUAL = {
-    ("Filters", "Filters/GLTF"), ("Filters", "Filters/PathTracing/Materials"),
-    ("Filters", "Filters/PathTracing/Scene"), ("Filters", "Filters/Pipeline"),
-    ("Filters", "Filters/Planning"), ("Filters", "Filters/SceneImport"),
-    ("Filters/PathTracing/Paths", "Filters/PathTracing/RadianceCache"),
-}
+# Folders whose headers are included by their names alone, because they hold public classes.
+PUBLIC = (*ROOTS, "Filters/Planning", "Filters/SceneData")
+
+# Folders that still include each other.
+MUTUAL = {("Filters", "Filters/Pipeline")}
 
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
 LIBRARIES = {
@@ -83,7 +83,7 @@ def layer_of(folder):
 
 def find_header(source, file, name):
     """The path of an included header of ours below the source folder, or None."""
-    for folder in [file.parent, *(source / root for root in ROOTS)]:
+    for folder in [file.parent, *(source / public for public in PUBLIC)]:
         if (folder / name).is_file():
             return (folder / name).resolve().relative_to(source)
     return None

@@ -20,14 +20,14 @@ namespace
 const std::string FileName = "m\xc3\xa4rz.txt";
 const std::string FolderName = "folder";
 
-int Faults = 0;
+int Errors = 0;
 
 void Check(bool isRight, const std::string& what, const std::string& error = {})
 {
   if (!isRight)
   {
     std::cout << "Wrong: " << what << ": " << error << "\n";
-    ++Faults;
+    ++Errors;
   }
 }
 
@@ -96,5 +96,5 @@ int main(int argc, char* argv[])
   Check(!cslf::MakeFile(FileName, "x", 1, error), "a file that is there");
   Check(cslf::GetFreeBytes("nowhere/nothing") > 0.0, "free bytes");
   Check(!cslf::DescribeProcess().empty(), "the process's name");
-  return Faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Errors == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

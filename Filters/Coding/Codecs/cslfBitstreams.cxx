@@ -45,7 +45,7 @@ struct NALSyntax
   int Delimiter = 0; ///< of access units
   int Filler = 0;
   ///@}
-  std::size_t LeastRecordSize = 0;
+  std::size_t MinimumRecordSize = 0;
   std::size_t RecordLengthSizeOffset = 0; ///< of the byte with the size of length prefixes
 };
 
@@ -227,7 +227,7 @@ bool NALBitstream::ReadConfiguration(
       framing.ParameterSetCRCs.push_back(AddTo(0, unit));
     }
   };
-  const bool isRecord = size >= this->Syntax.LeastRecordSize && data[0] == 1;
+  const bool isRecord = size >= this->Syntax.MinimumRecordSize && data[0] == 1;
   if (!isRecord && !(size > 3 && data[0] == 0 && data[1] == 0))
   {
     return false;
@@ -289,7 +289,7 @@ NALSyntax MakeH264Syntax()
   syntax.LastParameterSet = 8;  // of a picture
   syntax.Delimiter = 9;
   syntax.Filler = 12;
-  syntax.LeastRecordSize = 7;
+  syntax.MinimumRecordSize = 7;
   syntax.RecordLengthSizeOffset = 4;
   return syntax;
 }
@@ -341,7 +341,7 @@ NALSyntax MakeHEVCSyntax()
   syntax.LastParameterSet = 34;  // of a picture
   syntax.Delimiter = 35;
   syntax.Filler = 38;
-  syntax.LeastRecordSize = 23;
+  syntax.MinimumRecordSize = 23;
   syntax.RecordLengthSizeOffset = 21;
   return syntax;
 }
@@ -359,7 +359,7 @@ protected:
   {
     // The fixed part of an HEVCDecoderConfigurationRecord ends with the number of arrays that
     // follow. Each array is a type, a count in two bytes, and the units.
-    std::size_t position = MakeHEVCSyntax().LeastRecordSize;
+    std::size_t position = MakeHEVCSyntax().MinimumRecordSize;
     for (int array = data[position - 1]; array > 0; --array)
     {
       if (size - position < 3)

@@ -154,7 +154,7 @@ bool HasTime(const AVPacket* packet)
   return packet->pts != AV_NOPTS_VALUE && packet->pts > -limit && packet->pts < limit;
 }
 
-bool Refuse(OpenFailure& failure, unsigned long code, const std::string& text)
+bool Refuse(OpenError& failure, unsigned long code, const std::string& text)
 {
   failure = { code, text };
   return false;
@@ -162,7 +162,7 @@ bool Refuse(OpenFailure& failure, unsigned long code, const std::string& text)
 }
 
 std::unique_ptr<ContainerReader> ContainerReader::Open(
-  const std::string& fileName, OpenFailure& failure)
+  const std::string& fileName, OpenError& failure)
 {
   auto reader = std::make_unique<ContainerReader>();
   reader->FileName = fileName;
@@ -174,7 +174,7 @@ std::unique_ptr<ContainerReader> ContainerReader::Open(
   return reader;
 }
 
-bool ContainerReader::OpenContainer(OpenFailure& failure)
+bool ContainerReader::OpenContainer(OpenError& failure)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(ToPath(this->FileName), ignored))
@@ -213,7 +213,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   return true;
 }
 
-bool ContainerReader::ReadHeader(OpenFailure& failure)
+bool ContainerReader::ReadHeader(OpenError& failure)
 {
   HeaderTags tags;
   for (const char* name : { HeaderTagNames[0], HeaderTagNames[1], PartsTagName })
@@ -236,7 +236,7 @@ bool ContainerReader::ReadHeader(OpenFailure& failure)
   return true;
 }
 
-bool ContainerReader::FindTracks(OpenFailure& failure)
+bool ContainerReader::FindTracks(OpenError& failure)
 {
   const int resolution = this->Header.Field.Grid.GetResolution();
   const std::size_t tracks = this->Header.Tracks.size();

@@ -54,7 +54,7 @@ struct GroupPackets
 
 /// The reason why a file could not be opened. If there is not enough memory, this and all methods
 /// that read throw std::bad_alloc instead.
-struct OpenFailure
+struct OpenError
 {
   unsigned long Code = 0; ///< one of vtkErrorCode's
   std::string Text;       ///< in one line
@@ -64,7 +64,7 @@ class ContainerReader
 {
 public:
   /// Reads the header only. Returns null on failure.
-  static std::unique_ptr<ContainerReader> Open(const std::string& fileName, OpenFailure& failure);
+  static std::unique_ptr<ContainerReader> Open(const std::string& fileName, OpenError& failure);
 
   const FileHeader& GetHeader() const { return this->Header; }
 
@@ -98,9 +98,9 @@ private:
     AtGroup
   };
 
-  bool OpenContainer(OpenFailure& failure);
-  bool ReadHeader(OpenFailure& failure);
-  bool FindTracks(OpenFailure& failure);
+  bool OpenContainer(OpenError& failure);
+  bool ReadHeader(OpenError& failure);
+  bool FindTracks(OpenError& failure);
   void FindFirstTimes();
   bool ReadPacket(AVPacket* packet);
   bool SeekTo(int frame, Start start);

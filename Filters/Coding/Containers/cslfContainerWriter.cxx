@@ -27,11 +27,11 @@ const char* FindContainer(const std::string& fileName)
   return extension == ".mp4" ? "mp4" : extension == ".mkv" ? "matroska" : nullptr;
 }
 
-bool ContainerWriter::Allocate(
-  const std::string& fileName, const std::string& url, std::string& error)
+bool ContainerWriter::Open(const std::string& fileName, const HeaderTags& tags, std::string& error)
 {
+  const std::string url = "file:" + fileName;
   AVFormatContext* context = nullptr;
-  const int code =
+  int code =
     avformat_alloc_output_context2(&context, nullptr, FindContainer(fileName), url.c_str());
   if (code < 0)
   {
@@ -40,17 +40,7 @@ bool ContainerWriter::Allocate(
   this->Output.reset(context);
   // Without this, Matroska files contain random numbers.
   context->flags |= AVFMT_FLAG_BITEXACT;
-  return true;
-}
-
-bool ContainerWriter::Open(const std::string& fileName, const HeaderTags& tags, std::string& error)
-{
-  const std::string url = "file:" + fileName;
-  if (!this->Allocate(fileName, url, error))
-  {
-    return false;
-  }
-  int code = avio_open(&this->Output->pb, url.c_str(), AVIO_FLAG_WRITE);
+  code = avio_open(&this->Output->pb, url.c_str(), AVIO_FLAG_WRITE);
   if (code < 0)
   {
     return Fail(("cannot write " + fileName).c_str(), code, error);
@@ -64,17 +54,6 @@ bool ContainerWriter::Open(const std::string& fileName, const HeaderTags& tags, 
     }
   }
   return true;
-}
-
-bool ContainerWriter::OpenInMemory(const std::string& fileName, std::string& error)
-{
-  if (!this->Allocate(fileName, {}, error))
-  {
-    return false;
-  }
-  this->InMemory = true;
-  const int code = avio_open_dyn_buf(&this->Output->pb);
-  return code >= 0 || Fail("cannot make the container", code, error);
 }
 
 bool ContainerWriter::AddTrack(const Track& track, int resolution,
@@ -111,7 +90,7 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
 bool ContainerWriter::Begin(std::string& error)
 {
   AVDictionary* options = nullptr;
-  if (std::strcmp(this->Output->oformat->name, "mp4") == 0 && !this->InMemory)
+  if (std::strcmp(this->Output->oformat->name, "mp4") == 0)
   {
     // Puts the index first: files open at once, and truncated files remain readable.
     av_dict_set(&options, "movflags", "+faststart", 0);
@@ -158,68 +137,8 @@ bool ContainerWriter::End(std::string& error)
     avio_flush(this->Output->pb);
     code = this->Output->pb->error;
   }
-  if (this->InMemory)
-  {
-    std::uint8_t* bytes = nullptr;
-    this->Size = static_cast<std::size_t>(avio_close_dyn_buf(this->Output->pb, &bytes));
-    this->Output->pb = nullptr;
-    av_free(bytes);
-    return code >= 0 || Fail("cannot finish the container", code, error);
-  }
   const int closed = avio_closep(&this->Output->pb);
   code = code < 0 ? code : closed;
   return code >= 0 || Fail("cannot finish the file", code, error);
-}
-
-ContainerWriter::~ContainerWriter()
-{
-  if (this->InMemory && this->Output && this->Output->pb)
-  {
-    std::uint8_t* bytes = nullptr;
-    avio_close_dyn_buf(this->Output->pb, &bytes);
-    this->Output->pb = nullptr;
-    av_free(bytes);
-  }
-}
-
-double MeasureContainer(const std::string& fileName, const std::vector<Track>& tracks,
-  int resolution, const std::vector<CodedGroup>& parts)
-{
-  // The difference between a file that contains the group twice and one that contains it once.
-  double sizes[2] = { 0.0, 0.0 };
-  for (int copies = 1; copies <= 2; ++copies)
-  {
-    ContainerWriter container;
-    std::string ignored;
-    bool good = container.OpenInMemory(fileName, ignored);
-    for (std::size_t track = 0; good && track < tracks.size(); ++track)
-    {
-      good = container.AddTrack(tracks[track], resolution, parts[track].ParameterSets, ignored);
-    }
-    good = good && container.Begin(ignored);
-    for (int copy = 0; good && copy < copies; ++copy)
-    {
-      for (std::size_t track = 0; good && track < tracks.size(); ++track)
-      {
-        const CodedGroup& part = parts[track];
-        good = container.Write(
-          track, copy * static_cast<int>(part.Frames.size()), MaximumGroupLength, part, ignored);
-      }
-    }
-    if (!good || !container.End(ignored))
-    {
-      return 0.0;
-    }
-    sizes[copies - 1] = static_cast<double>(container.GetSize());
-  }
-  double added = sizes[1] - sizes[0];
-  for (const CodedGroup& part : parts)
-  {
-    for (const CodedFrame& frame : part.Frames)
-    {
-      added -= static_cast<double>(frame.Data.size());
-    }
-  }
-  return added;
 }
 }

@@ -24,15 +24,7 @@ const char* FindContainer(const std::string& fileName);
 class ContainerWriter
 {
 public:
-  ContainerWriter() = default;
-  ~ContainerWriter();
-  ContainerWriter(const ContainerWriter&) = delete;
-  ContainerWriter& operator=(const ContainerWriter&) = delete;
-
   bool Open(const std::string& fileName, const HeaderTags& tags, std::string& error);
-
-  /// Opens a container for that file name in memory, without making a file.
-  bool OpenInMemory(const std::string& fileName, std::string& error);
 
   bool AddTrack(const Track& track, int resolution, const std::vector<std::uint8_t>& parameterSets,
     std::string& error);
@@ -43,21 +35,9 @@ public:
   bool Write(std::size_t track, int start, int delay, const CodedGroup& group, std::string& error);
   bool End(std::string& error);
 
-  /// The bytes of the container opened in memory, after End.
-  std::size_t GetSize() const { return this->Size; }
-
 private:
-  bool Allocate(const std::string& fileName, const std::string& url, std::string& error);
-
   AVOutput Output;
-  bool InMemory = false;
-  std::size_t Size = 0;
 };
-
-/// The bytes that a container adds to each group of the tracks beside the frames, measured with one
-/// group. Excludes what it stores once. 0 if this cannot be measured.
-double MeasureContainer(const std::string& fileName, const std::vector<Track>& tracks,
-  int resolution, const std::vector<CodedGroup>& parts);
 }
 
 #endif

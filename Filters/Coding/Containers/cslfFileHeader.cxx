@@ -78,7 +78,7 @@ JSON ToJSON(const CodedTrack& track)
   return json;
 }
 
-std::invalid_argument TrackFault(const std::string& role, const char* what)
+std::invalid_argument TrackError(const std::string& role, const char* what)
 {
   return std::invalid_argument("its track \"" + MakePrintable(role) + "\" has " + what);
 }
@@ -109,7 +109,7 @@ void ReadTransfer(const JSON& json, Track& kind)
   }
   else if (!transfer.empty())
   {
-    throw TrackFault(NameOfRole(kind.Role), "an unknown transfer curve");
+    throw TrackError(NameOfRole(kind.Role), "an unknown transfer curve");
   }
 }
 
@@ -121,7 +121,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   const auto format = FindPixelFormat(role.Part, json.at("pixel_format").get<std::string>());
   if (!codec || !format)
   {
-    throw TrackFault(NameOfRole(role), "an unknown codec or pixel format");
+    throw TrackError(NameOfRole(role), "an unknown codec or pixel format");
   }
   track.Kind.Coding = *codec;
   track.Kind.Format = *format;
@@ -130,7 +130,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   const std::string siting = json.value(SitingKey, "");
   if (!siting.empty() && siting != LeftName)
   {
-    throw TrackFault(NameOfRole(role), "an unknown chroma location");
+    throw TrackError(NameOfRole(role), "an unknown chroma location");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
   if (role == CoverageRole)
@@ -200,7 +200,7 @@ void CheckTracks(const FileHeader& header)
   if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
     header.Field.Grid.GetResolution() % 2 != 0)
   {
-    throw TrackFault(NameOfRole(ColorRole), "a pixel format that needs an even resolution");
+    throw TrackError(NameOfRole(ColorRole), "a pixel format that needs an even resolution");
   }
 }
 
@@ -551,7 +551,7 @@ std::optional<FileHeader> FileHeader::FromTags(
   }
   catch (const std::exception& exception)
   {
-    error = DescribeProblem(exception);
+    error = DescribeException(exception);
     return std::nullopt;
   }
 }

@@ -73,7 +73,7 @@ std::string Describe(const FilePart& part)
 }
 }
 
-std::string FindFault(const std::vector<FilePart>& others, const FilePart& part)
+std::string FindError(const std::vector<FilePart>& others, const FilePart& part)
 {
   if (part.Type.empty() || !IsShort(part.Type) || !IsShort(part.Name) || !IsUTF8(part.Type) ||
     !IsUTF8(part.Name))

@@ -27,7 +27,7 @@ constexpr const char* GeometryPartType = "model/vnd.cslf.geometry";
 constexpr const char* GeometryPartName = "geometry";
 
 /// Says in one line why a part cannot be added to others. Empty if it can.
-std::string FindFault(const std::vector<FilePart>& others, const FilePart& part);
+std::string FindError(const std::vector<FilePart>& others, const FilePart& part);
 
 /// The header's list.
 nlohmann::json ListParts(const std::vector<FilePart>& parts);

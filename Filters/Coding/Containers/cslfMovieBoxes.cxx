@@ -16,13 +16,13 @@ namespace cslf
 namespace
 {
 /// The depth to which FFmpeg reads.
-constexpr int MostLevels = 10;
+constexpr int MaximumLevels = 10;
 
 /// With a fragment for each frame, there are 7 boxes per frame.
-constexpr int MostBoxes = 1 << 20;
+constexpr int MaximumBoxes = 1 << 20;
 
 /// The description of a track's samples contains some parameter sets.
-constexpr std::uint64_t LargestDescription = 1 << 20; // in bytes
+constexpr std::uint64_t MaximumDescription = 1 << 20; // in bytes
 
 /// Smaller files may announce this many samples.
 constexpr std::uint64_t FewSamples = 65536;
@@ -51,7 +51,7 @@ public:
   explicit BoxChecker(const InputFile& file)
     : File(file)
     , FileSize(file.GetSize())
-    , MostSamples(std::max(this->FileSize, FewSamples))
+    , MaximumSamples(std::max(this->FileSize, FewSamples))
   {
   }
 
@@ -64,8 +64,8 @@ public:
     }
     // If there is no movie, FFmpeg looks for one in free boxes.
     return this->CheckBoxes({ "", 0, this->FileSize }, 0) && this->HasMovie &&
-      this->Samples <= this->MostSamples &&
-      this->MostChunks * this->MostSamplesOfChunk <= this->MostSamples * JoinedSamples;
+      this->Samples <= this->MaximumSamples &&
+      this->MaximumChunks * this->MaximumSamplesOfChunk <= this->MaximumSamples * JoinedSamples;
   }
 
   const std::vector<std::uint64_t>& GetBrokenSizes() const { return this->BrokenSizes; }
@@ -104,7 +104,7 @@ private:
     constexpr std::uint64_t headerSize = 8;
     for (std::uint64_t place = parent.Begin; parent.End - place >= headerSize;)
     {
-      if (++this->Boxes > MostBoxes || level > MostLevels)
+      if (++this->Boxes > MaximumBoxes || level > MaximumLevels)
       {
         return false;
       }
@@ -152,7 +152,7 @@ private:
 
   bool CheckChunks(const Box& box, int level)
   {
-    this->MostChunks = std::max(this->MostChunks, this->ReadNumber(box.Begin + 4, 4));
+    this->MaximumChunks = std::max(this->MaximumChunks, this->ReadNumber(box.Begin + 4, 4));
     return box.Type == "stco" ? this->CheckTable<4>(box, level) : this->CheckTable<8>(box, level);
   }
 
@@ -162,7 +162,8 @@ private:
     const std::string text = holds ? this->ReadText(box.Begin, box.GetSize()) : "";
     for (std::size_t place = 12; place + 8 <= text.size(); place += 12)
     {
-      this->MostSamplesOfChunk = std::max(this->MostSamplesOfChunk, Decode(text.substr(place, 4)));
+      this->MaximumSamplesOfChunk =
+        std::max(this->MaximumSamplesOfChunk, Decode(text.substr(place, 4)));
     }
     return holds;
   }
@@ -186,7 +187,7 @@ private:
   /// tables among them.
   bool CheckDescriptions(const Box& box, int)
   {
-    if (box.GetSize() > LargestDescription || !box.Holds(8, 1, 8))
+    if (box.GetSize() > MaximumDescription || !box.Holds(8, 1, 8))
     {
       return false;
     }
@@ -288,11 +289,11 @@ private:
   }
 
   const InputFile& File;
-  const std::uint64_t FileSize;    ///< in bytes
-  const std::uint64_t MostSamples; ///< one per byte
-  std::uint64_t Samples = 0;       ///< announced without an entry for each
-  std::uint64_t MostChunks = 0;    ///< of any track
-  std::uint64_t MostSamplesOfChunk = 0;
+  const std::uint64_t FileSize;       ///< in bytes
+  const std::uint64_t MaximumSamples; ///< one per byte
+  std::uint64_t Samples = 0;          ///< announced without an entry for each
+  std::uint64_t MaximumChunks = 0;    ///< of any track
+  std::uint64_t MaximumSamplesOfChunk = 0;
   std::vector<std::uint64_t> BrokenSizes;
   int Boxes = 0;
   bool HasMovie = false;

@@ -4,7 +4,6 @@
 
 #include "cslfColor.h"
 #include "cslfColorFrames.h"
-#include "cslfDepthCurve.h"
 #include "cslfLayout.h"
 #include "cslfPushPull.h"
 #include "cslfRadianceFrames.h"
@@ -19,6 +18,42 @@ namespace cslf
 {
 namespace
 {
+constexpr int Depths = 65536;
+
+std::vector<std::uint16_t> MakeCodes(int bits)
+{
+  const double most = (1 << bits) - 1;
+  std::vector<std::uint16_t> codes;
+  for (int depth = 0; depth < Depths; ++depth)
+  {
+    const double share = std::log1p(DepthMu * (depth / (Depths - 1.0))) / std::log1p(DepthMu);
+    codes.push_back(static_cast<std::uint16_t>(std::lround(share * most)));
+  }
+  return codes;
+}
+}
+
+std::vector<unsigned short> MakeCodedDepths(int bits, double mu)
+{
+  const double most = (1 << bits) - 1;
+  std::vector<unsigned short> depths;
+  for (int code = 0; code < 1 << bits; ++code)
+  {
+    const double depth = std::expm1(code / most * std::log1p(mu)) / mu;
+    depths.push_back(static_cast<unsigned short>(std::lround(depth * (Depths - 1.0))));
+  }
+  return depths;
+}
+
+const std::vector<std::uint16_t>& GetDepthCodes(int bits)
+{
+  static const std::vector<std::uint16_t> fine = MakeCodes(12);
+  static const std::vector<std::uint16_t> coarse = MakeCodes(10);
+  return bits > 10 ? fine : coarse;
+}
+
+namespace
+{
 // Depth has no meaning where nothing is covered, so it is chosen to cost few bits and to preserve
 // the silhouettes beside it: it continues the covered depth smoothly (push-pull: means over larger
 // and larger squares). On the closed-form test field this halved the depth track against depth 1
@@ -29,7 +64,7 @@ namespace
 // novel views of a fine silhouette for 3 % more bytes of depth.
 
 /// How much farther away a neighbour on the same surface may be.
-constexpr float MostRimRatio = 1.1F;
+constexpr float MaximumRimRatio = 1.1F;
 
 /// Moves known texels beside unknown ones to the depth of the farthest known neighbour on the same
 /// surface.
@@ -41,7 +76,7 @@ void PushRim(Patch& patch)
     for (int x = 0; x < patch.Size; ++x)
     {
       const std::size_t to = patch.IndexOf(x, y);
-      const float most = MostRimRatio * before.Values[to];
+      const float most = MaximumRimRatio * before.Values[to];
       float farthest = before.Values[to];
       bool isRim = false;
       for (int j = std::max(y - 1, 0); j <= std::min(y + 1, patch.Size - 1); ++j)

@@ -14,11 +14,23 @@
 
 #include "Coding/Codecs/cslfTrack.h"
 #include "cslfViewpointSamples.h"
+#include "vtkCSLFModule.h" // for export macro
 
+#include <cstdint>
 #include <vector>
 
 namespace cslf
 {
+/// The curve's parameter, with t the depth in [0,1] and c the code in [0,1]:
+/// c = ln(1 + mu t) / ln(1 + mu), the mu-law of ITU-T G.711.
+constexpr int DepthMu = 40;
+
+/// The code of each depth of 16 bits, in 10 or 12 bits.
+const std::vector<std::uint16_t>& GetDepthCodes(int bits);
+
+/// The depth of each code, for a curve with that parameter.
+VTKCSLF_EXPORT std::vector<unsigned short> MakeCodedDepths(int bits, double mu);
+
 /// Sets the size, format and colour tags of what a track's encoder or frame holds.
 void TagFrame(const Track& track, int resolution, AVFrame* frame);
 

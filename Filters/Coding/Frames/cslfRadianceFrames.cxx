@@ -29,9 +29,9 @@ public:
   CodeFinder()
     : Starts(Buckets + 1)
   {
-    for (int code = 1; code <= LargestPQCode; ++code)
+    for (int code = 1; code <= MaximumPQCode; ++code)
     {
-      this->Least.push_back(static_cast<float>(PQToRadiance((code - 0.5) / LargestPQCode)));
+      this->Least.push_back(static_cast<float>(PQToRadiance((code - 0.5) / MaximumPQCode)));
     }
     for (std::uint32_t bucket = 0; bucket <= Buckets; ++bucket)
     {
@@ -52,7 +52,7 @@ public:
     const std::uint32_t bucket = bits >> LowBits;
     if (bucket >= Buckets)
     {
-      return LargestPQCode;
+      return MaximumPQCode;
     }
     const auto begin = this->Least.begin();
     return static_cast<int>(
@@ -96,9 +96,9 @@ const std::vector<float>& GetCodedRadiances()
   static const std::vector<float> radiances = []
   {
     std::vector<float> all;
-    for (int code = 0; code <= LargestPQCode; ++code)
+    for (int code = 0; code <= MaximumPQCode; ++code)
     {
-      all.push_back(static_cast<float>(PQToRadiance(code / static_cast<double>(LargestPQCode))));
+      all.push_back(static_cast<float>(PQToRadiance(code / static_cast<double>(MaximumPQCode))));
     }
     return all;
   }();
@@ -123,7 +123,7 @@ inline std::uint16_t MakeSample(const SampleWeights& w, const int codes[3])
 
 inline int ToCode(int value)
 {
-  return std::clamp(value >> FractionBitsOfCodes, 0, LargestPQCode);
+  return std::clamp(value >> FractionBitsOfCodes, 0, MaximumPQCode);
 }
 
 template <typename Sample, typename Frame>
@@ -143,7 +143,7 @@ bool IsCodable(const float* texel)
 void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame)
 {
   const auto weigh = [format](SamplePlane plane)
-  { return MakeSampleWeights(plane, BitsOfFormat(format), LargestPQCode, FractionBitsOfSamples); };
+  { return MakeSampleWeights(plane, BitsOfFormat(format), MaximumPQCode, FractionBitsOfSamples); };
   const SampleWeights ofLuma = weigh(SamplePlane::Luma);
   const SampleWeights ofBlue = weigh(SamplePlane::Blue);
   const SampleWeights ofRed = weigh(SamplePlane::Red);
@@ -167,7 +167,7 @@ void TakeRadiance(const AVFrame* frame, AVPixelFormat format, double white, floa
 {
   const float unit = static_cast<float>(WhiteLuminance / white);
   const float* radiances = GetCodedRadiances().data();
-  const ColorWeights w = MakeColorWeights(BitsOfFormat(format), LargestPQCode, FractionBitsOfCodes);
+  const ColorWeights w = MakeColorWeights(BitsOfFormat(format), MaximumPQCode, FractionBitsOfCodes);
   constexpr int half = 1 << (FractionBitsOfCodes - 1);
   for (int y = 0; y < frame->height; ++y)
   {

@@ -33,7 +33,7 @@ VTKCSLF_EXPORT double RadianceToPQ(double radiance);
 VTKCSLF_EXPORT double PQToRadiance(double signal);
 
 /// Signals as codes of 16 bits.
-constexpr int LargestPQCode = 65535;
+constexpr int MaximumPQCode = 65535;
 
 /// The code nearest to the signal of a radiance, which may be any number or NaN.
 VTKCSLF_EXPORT int RadianceToPQCode(float radiance);

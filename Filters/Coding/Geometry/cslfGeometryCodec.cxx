@@ -45,8 +45,8 @@ namespace
 using JSON = nlohmann::json;
 
 /// The limits of the bits of a coordinate. Files that do not state them have the most.
-constexpr int MostPositionBits = 16;
-constexpr int FewestPositionBits = 12;
+constexpr int MaximumPositionBits = 16;
+constexpr int MinimumPositionBits = 12;
 
 /// The fewest steps of coordinates in a texel's width, which is the cube's edge divided by the
 /// resolution, unless that needs more bits than there are.
@@ -59,7 +59,7 @@ constexpr double ColorSteps = 63.0;
 constexpr std::size_t PositionSize = 8;
 
 /// More are refused, so that a file cannot ask for much memory.
-constexpr std::size_t MostItems = std::size_t(1) << 25;
+constexpr std::size_t MaximumItems = std::size_t(1) << 25;
 
 constexpr const char* ByteColors = "srgb6";
 constexpr const char* HalfColors = "linear16f";
@@ -80,7 +80,7 @@ struct Streams
 {
   std::size_t Points = 0;
   std::vector<unsigned int> Corners;
-  int PositionBits = MostPositionBits;
+  int PositionBits = MaximumPositionBits;
   glm::dvec3 Low{ -1.0 }; ///< the bounds of the positions in CC, which are exact
   glm::dvec3 High{ 1.0 };
   std::vector<unsigned char> Positions;
@@ -95,8 +95,8 @@ struct Streams
 /// The bits of a coordinate in fields of a resolution.
 int FindPositionBits(int resolution)
 {
-  int bits = FewestPositionBits;
-  while (bits < MostPositionBits && 1 << bits < StepsOfTexel * resolution)
+  int bits = MinimumPositionBits;
+  while (bits < MaximumPositionBits && 1 << bits < StepsOfTexel * resolution)
   {
     ++bits;
   }
@@ -373,7 +373,7 @@ std::vector<unsigned char> Compress(const std::vector<unsigned char>& bytes)
 std::size_t GetCount(const JSON& header, const char* key)
 {
   const JSON& number = header.at(key);
-  if (!number.is_number_unsigned() || number.get<std::uint64_t>() > MostItems)
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() > MaximumItems)
   {
     throw std::invalid_argument(std::string("its number of ") + key + " is invalid");
   }
@@ -491,7 +491,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   if (header.contains("position_bits"))
   {
     const std::size_t bits = GetCount(header, "position_bits");
-    Require(bits >= FewestPositionBits && bits <= MostPositionBits);
+    Require(bits >= MinimumPositionBits && bits <= MaximumPositionBits);
     streams.PositionBits = static_cast<int>(bits);
   }
   if (header.contains("position_bounds"))
@@ -557,7 +557,7 @@ std::vector<unsigned char> EncodeGeometry(
 {
   try
   {
-    const std::string fault = DescribeGeometryFault(geometry, box);
+    const std::string fault = DescribeGeometryError(geometry, box);
     if (!fault.empty())
     {
       throw std::invalid_argument(fault);

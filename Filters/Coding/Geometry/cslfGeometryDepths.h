@@ -27,7 +27,7 @@ public:
   static constexpr unsigned short None = 65535;
 
   /// More triangles are not drawn, so that a file cannot ask for any amount of work.
-  static constexpr std::size_t MostTriangles = std::size_t(1) << 22;
+  static constexpr std::size_t MaximumTriangles = std::size_t(1) << 22;
 
   /// Triangles in world coordinates.
   GeometryDepths(vtkPolyData* triangles, const Cube& box, const Layout& grid);

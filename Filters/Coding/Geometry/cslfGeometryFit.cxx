@@ -22,7 +22,7 @@ namespace
 constexpr unsigned short None = GeometryDepths::None;
 
 /// The stored depth that means 1.
-constexpr double MostDepth = 65535.0;
+constexpr double MaximumDepth = 65535.0;
 
 /// How far the colours of texels at silhouettes may come from, in texels.
 constexpr int Reach = 3;
@@ -116,7 +116,8 @@ private:
   bool IsOn(std::size_t texel, std::size_t drawn, double distance) const
   {
     return this->HasSurface(texel) &&
-      AreOnOneSurface(this->Depths[texel] / MostDepth, this->Drawn[drawn] / MostDepth, distance);
+      AreOnOneSurface(
+        this->Depths[texel] / MaximumDepth, this->Drawn[drawn] / MaximumDepth, distance);
   }
 
   /// Without association with alpha, and within what a video can hold.

@@ -17,15 +17,15 @@ namespace cslf
 {
 namespace
 {
-constexpr int LeastSample = 24;
-constexpr int LargestStride = 16;
+constexpr int MinimumSample = 24;
+constexpr int MaximumStride = 16;
 }
 
 GroupStages::GroupStages(int count)
   : Stages(count, 0)
 {
   int stride = 1;
-  while (2 * stride <= LargestStride && 2 * stride * LeastSample <= count)
+  while (2 * stride <= MaximumStride && 2 * stride * MinimumSample <= count)
   {
     stride *= 2;
   }
@@ -81,19 +81,19 @@ constexpr double ErrorTolerance = 0.07;
 
 /// The largest difference between the levels of successive stages: small stages at the end must not
 /// correct the errors of others by very different quality.
-constexpr double MostChange = 3.0;
+constexpr double MaximumChange = 3.0;
 
 constexpr double RawTexelBytes = 3.0;
 
 /// Sums and logarithms of costs up to this are finite.
-constexpr double MostCost = 1e18;
+constexpr double MaximumCost = 1e18;
 
 /// Whether a run can have had that result.
 bool IsSound(double factor, const GroupCost& cost)
 {
-  return factor >= LeastFactor && factor <= MostFactor && cost.Bytes >= 0.0 &&
-    cost.Bytes <= MostCost && cost.CoverageBytes >= 0.0 && cost.CoverageBytes <= MostCost &&
-    std::abs(cost.SquaredError) <= MostCost;
+  return factor >= MinimumFactor && factor <= MaximumFactor && cost.Bytes >= 0.0 &&
+    cost.Bytes <= MaximumCost && cost.CoverageBytes >= 0.0 && cost.CoverageBytes <= MaximumCost &&
+    std::abs(cost.SquaredError) <= MaximumCost;
 }
 
 double Sum(const std::vector<int>& numbers)
@@ -117,7 +117,7 @@ RateTarget MakeRateTarget(double ratio, double bytes, double psnr)
                      : RateTarget{};
 }
 
-std::string FindFault(const RateTarget& target, bool isLossless)
+std::string FindError(const RateTarget& target, bool isLossless)
 {
   if (target.Kind == RateTarget::Kinds::Factor)
   {
@@ -178,7 +178,7 @@ bool RateControl::Next(std::vector<CodingTask>& tasks, std::string& error)
   }
   if (this->Stage > 0)
   {
-    level = std::clamp(level, this->Level - MostChange, this->Level + MostChange);
+    level = std::clamp(level, this->Level - MaximumChange, this->Level + MaximumChange);
   }
   this->Level = level;
   tasks = this->MakeStage(level);
@@ -215,7 +215,7 @@ bool RateControl::IsReached(double level) const
   const double goal = this->GetGoal();
   const double tolerance =
     this->Target.Kind == RateTarget::Kinds::PSNR ? ErrorTolerance : BytesTolerance;
-  return (level > LeastFactor && level < MostFactor) ||
+  return (level > MinimumFactor && level < MaximumFactor) ||
     std::abs(this->Model.Predict(level) - goal) <= tolerance * goal;
 }
 

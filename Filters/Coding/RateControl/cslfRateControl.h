@@ -56,7 +56,7 @@ struct RateTarget
 VTKCSLF_EXPORT RateTarget MakeRateTarget(double ratio, double bytes, double psnr);
 
 /// What is wrong with a target, in a sentence. Empty if nothing is.
-std::string FindFault(const RateTarget& target, bool isLossless);
+std::string FindError(const RateTarget& target, bool isLossless);
 
 /// The field to be coded.
 struct RateField

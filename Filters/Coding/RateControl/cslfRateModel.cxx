@@ -45,7 +45,7 @@ RateModel::RateModel(Measures measure, std::vector<int> frames)
 double RateModel::GetFactor(int group, double level)
 {
   const double floor = std::floor(level);
-  return std::min(MostFactor, floor + (RobertsNumber(group + 1, 1) < level - floor ? 1.0 : 0.0));
+  return std::min(MaximumFactor, floor + (RobertsNumber(group + 1, 1) < level - floor ? 1.0 : 0.0));
 }
 
 void RateModel::AddTrial(int group, double factor, const GroupCost& cost)
@@ -160,14 +160,14 @@ double RateModel::Solve(double goal) const
 {
   const std::map<double, double> sums = this->SumTrials();
   const bool falls = this->Kind == Measures::Bytes;
-  double level = 0.5 * (LeastFactor + MostFactor);
+  double level = 0.5 * (MinimumFactor + MaximumFactor);
   // Groups that were only tried are weighted at the factor next to the solution, so this is done
   // again.
   for (int pass = 0; pass < 2; ++pass)
   {
     const std::vector<double> weights = this->FindWeights(sums, level);
-    double low = LeastFactor;
-    double high = MostFactor;
+    double low = MinimumFactor;
+    double high = MaximumFactor;
     for (int k = 0; k < Halvings; ++k)
     {
       level = 0.5 * (low + high);
@@ -177,7 +177,7 @@ double RateModel::Solve(double goal) const
     const double missLow = std::abs(this->Sum(weights, sums, low) - goal);
     const double missHigh = std::abs(this->Sum(weights, sums, high) - goal);
     level = missLow < missHigh ? low : high;
-    if (MostFactor - level < 1e-3 || level - LeastFactor < 1e-3)
+    if (MaximumFactor - level < 1e-3 || level - MinimumFactor < 1e-3)
     {
       level = std::round(level);
     }

@@ -20,8 +20,8 @@
 namespace cslf
 {
 /// The smallest and the largest rate factor.
-constexpr double LeastFactor = 0.0;
-constexpr double MostFactor = 51.0;
+constexpr double MinimumFactor = 0.0;
+constexpr double MaximumFactor = 51.0;
 
 class VTKCSLF_EXPORT RateModel
 {

@@ -40,7 +40,7 @@ std::unique_ptr<GeometryDepths> ReadDepths(const FileHeader& header)
   std::string ignored;
   const auto geometry = part ? DecodeGeometry(part->Bytes, header.Field.Box, ignored) : nullptr;
   return geometry &&
-      static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MostTriangles
+      static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MaximumTriangles
     ? std::make_unique<GeometryDepths>(geometry, header.Field.Box, header.Field.Grid)
     : nullptr;
 }
@@ -174,7 +174,7 @@ private:
   bool KeepsOthers = false;
 };
 
-std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, OpenFailure& failure)
+std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, OpenError& failure)
 {
   auto container = ContainerReader::Open(fileName, failure);
   if (!container)
@@ -277,12 +277,12 @@ std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& p
 
 namespace
 {
-class ReaderSource : public ViewpointSource
+class ReaderStore : public FieldStore
 {
 public:
-  ReaderSource(std::shared_ptr<FieldReader> reader,
+  ReaderStore(std::shared_ptr<FieldReader> reader,
     std::function<bool(const std::function<bool()>&)> guard, std::function<void()> onMissing)
-    : ViewpointSource(reader->GetHeader().Field, reader->GetHeader().GetMissingSlices())
+    : FieldStore(reader->GetHeader().Field, reader->GetHeader().GetMissingSlices())
     , Reader(std::move(reader))
     , Guard(std::move(guard))
     , OnMissing(std::move(onMissing))
@@ -339,9 +339,9 @@ private:
 };
 }
 
-std::shared_ptr<ViewpointSource> MakeSource(std::shared_ptr<FieldReader> reader,
+std::shared_ptr<FieldStore> MakeStore(std::shared_ptr<FieldReader> reader,
   std::function<bool(const std::function<bool()>& work)> guard, std::function<void()> onMissing)
 {
-  return std::make_shared<ReaderSource>(std::move(reader), std::move(guard), std::move(onMissing));
+  return std::make_shared<ReaderStore>(std::move(reader), std::move(guard), std::move(onMissing));
 }
 }

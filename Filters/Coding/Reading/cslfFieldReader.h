@@ -7,7 +7,7 @@
 #ifndef cslfFieldReader_h
 #define cslfFieldReader_h
 
-#include "Pipeline/cslfViewpointSource.h"
+#include "Pipeline/cslfFieldStore.h"
 #include "cslfViewpointStore.h"
 
 #include <functional>
@@ -25,7 +25,7 @@ public:
   using Progress = std::function<bool(double)>;
 
   /// Reads the header only. Returns null on failure.
-  static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenFailure& failure);
+  static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenError& failure);
 
   /// See GroupDecoder.
   FieldReader(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths);
@@ -63,7 +63,7 @@ private:
 
 /// The viewpoints of a reader's file. `guard` does work that may throw, and returns false if it
 /// has. `onMissing` is called when a viewpoint is found missing.
-std::shared_ptr<ViewpointSource> MakeSource(std::shared_ptr<FieldReader> reader,
+std::shared_ptr<FieldStore> MakeStore(std::shared_ptr<FieldReader> reader,
   std::function<bool(const std::function<bool()>& work)> guard, std::function<void()> onMissing);
 }
 

@@ -43,9 +43,9 @@ bool EncodeProbe::Begin(std::string& error)
     error = "The sampler gives no information about its output.";
     return false;
   }
-  error = FindFault(this->Settings, grid->GetResolution());
+  error = FindError(this->Settings, grid->GetResolution());
   error =
-    error.empty() ? KeyViews::FindFault(grid->GetViewpoints(), this->Settings.KeyViewStep) : error;
+    error.empty() ? KeyViews::FindError(grid->GetViewpoints(), this->Settings.KeyViewStep) : error;
   if (!error.empty())
   {
     return false;
@@ -56,14 +56,14 @@ bool EncodeProbe::Begin(std::string& error)
     error = "The sampler failed.";
     return false;
   }
-  this->Puller.emplace(information, *grid);
-  this->Puller->SetKeyViewStep(this->Settings.KeyViewStep);
+  this->Input.emplace(this->Producer->GetOutputPort(0), *grid);
+  this->Input->SetKeyViewStep(this->Settings.KeyViewStep);
   this->Writer.emplace("probe.mp4", this->Settings);
-  if (!this->Puller->Begin(error))
+  if (!this->Input->Begin(error))
   {
     return false;
   }
-  error = FindFault(this->Settings, this->Puller->GetField());
+  error = FindError(this->Settings, this->Input->GetField());
   if (!error.empty())
   {
     return false;
@@ -73,12 +73,12 @@ bool EncodeProbe::Begin(std::string& error)
 
 bool EncodeProbe::BeginWriting(std::string& error)
 {
-  const Description field = this->Puller->GetField();
+  const Description field = this->Input->GetField();
   std::string fault;
   const FilePart part{ GeometryPartType, GeometryPartName,
     this->Geometry ? EncodeGeometry(this->Geometry, field.Box, field.Grid.GetResolution(), fault)
                    : std::vector<unsigned char>() };
-  if (!part.Bytes.empty() && FindFault({}, part).empty())
+  if (!part.Bytes.empty() && FindError({}, part).empty())
   {
     this->Writer->SetParts({ part });
     if (this->Computed)
@@ -88,11 +88,11 @@ bool EncodeProbe::BeginWriting(std::string& error)
     else if (this->Settings.ComputesDepth())
     {
       const std::vector<int> slices = GetTriedViewpoints(field.Grid);
-      if (!this->Puller->Pull(slices, error))
+      if (!this->Input->Read(slices, error))
       {
         return false;
       }
-      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Puller->GetSlices(), GoOn);
+      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Input->GetSlices(), GoOn);
     }
   }
   this->Writer->Begin(field, 0, this->Plan);
@@ -104,7 +104,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const std::clock_t begin = std::clock();
-  if (!this->Puller->Pull(this->Writer->GetSlices(groups), error))
+  if (!this->Input->Read(this->Writer->GetSlices(groups), error))
   {
     return false;
   }
@@ -112,8 +112,8 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   const std::clock_t middle = std::clock();
   // The samples themselves are asked for afterwards.
   const std::vector<ViewpointSamples> fitted = this->GetComputed().HasDepth
-    ? CopySamples(this->Puller->GetField(), this->Puller->GetSlices())
-    : this->Puller->GetSlices();
+    ? CopySamples(this->Input->GetField(), this->Input->GetSlices())
+    : this->Input->GetSlices();
   GeometryFit ignored;
   this->Plan.Fit(this->Writer->GetSlices(groups), fitted, GoOn, ignored);
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;

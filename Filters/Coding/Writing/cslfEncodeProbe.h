@@ -9,7 +9,7 @@
 
 #include "Pipeline/cslfRequests.h"
 #include "cslfFieldWriter.h"
-#include "cslfSlicePuller.h"
+#include "cslfViewpointReader.h"
 
 #include <vtkSmartPointer.h>
 
@@ -63,7 +63,7 @@ public:
   bool Make(const std::vector<int>& groups, GroupCosts& costs, std::string& error);
 
   /// The viewpoints of the groups that were made last.
-  std::vector<ViewpointSamples> GetSlices() const { return this->Puller->GetSlices(); }
+  std::vector<ViewpointSamples> GetSlices() const { return this->Input->GetSlices(); }
 
   /// The approximate size of what a file contains beside the groups.
   double GetContainerBytes() const;
@@ -77,7 +77,7 @@ private:
   std::optional<ComputedChannels> Computed;
   GeometryPlan Plan;
   std::optional<KeptRequests> Requests;
-  std::optional<SlicePuller> Puller;
+  std::optional<ViewpointReader> Input;
   std::optional<FieldWriter> Writer;
   bool IsCoveredFully = true; // by all groups made so far
 };

@@ -188,20 +188,20 @@ int EncodeRanks::FindFailed(bool isWell, const std::string& shared, bool& differ
   return differs ? 0 : failed;
 }
 
-bool EncodeRanks::Lead(
-  std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take)
+bool EncodeRanks::DoTasks(
+  std::vector<CodingTask> tasks, int atOnce, const Worker& make, const Receiver& take)
 {
-  this->Undealt = std::move(tasks);
+  this->Remaining = std::move(tasks);
   this->AtOnce = atOnce;
-  this->TakeAll = &take;
+  this->Receive = &take;
   for (int rank : std::exchange(this->Waiting, {}))
   {
-    this->Deal(rank);
+    this->SendTasks(rank);
   }
-  while (!this->Stopped && !this->Undealt.empty())
+  while (!this->Stopped && !this->Remaining.empty())
   {
     std::vector<CodingResult> results;
-    if (!make(this->Choose(0), results) || !take(results))
+    if (!make(this->ChooseTasks(0), results) || !take(results))
     {
       this->StopOthers();
     }
@@ -211,16 +211,16 @@ bool EncodeRanks::Lead(
   {
     this->Handle(this->Team.Wait());
   }
-  this->TakeAll = nullptr;
+  this->Receive = nullptr;
   return !this->Stopped;
 }
 
-void EncodeRanks::Dismiss()
+void EncodeRanks::ReleaseOthers()
 {
-  this->Dismissed = true;
+  this->Released = true;
   for (int rank : std::exchange(this->Waiting, {}))
   {
-    this->Deal(rank);
+    this->SendTasks(rank);
   }
   while (this->Working > 0)
   {
@@ -228,19 +228,19 @@ void EncodeRanks::Dismiss()
   }
 }
 
-void EncodeRanks::Follow(const Maker& make)
+void EncodeRanks::ServeRoot(const Worker& make)
 {
   const ByteBuffer ask = MakeMessage(Ask);
   this->Team.Post(0, ask.GetBytes());
   bool good = true;
   while (good && !this->Stopped)
   {
-    while (!this->Dealt && !this->Stopped)
+    while (!this->Received && !this->Stopped)
     {
       this->Handle(this->Team.Wait());
     }
-    const std::vector<CodingTask> tasks = this->Dealt.value_or(std::vector<CodingTask>());
-    this->Dealt.reset();
+    const std::vector<CodingTask> tasks = this->Received.value_or(std::vector<CodingTask>());
+    this->Received.reset();
     if (this->Stopped || tasks.empty())
     {
       break;
@@ -261,27 +261,27 @@ void EncodeRanks::Follow(const Maker& make)
   this->Team.Post(0, MakeMessage(good || this->Stopped ? Done : Failed).GetBytes());
 }
 
-std::vector<CodingTask> EncodeRanks::Choose(int rank)
+std::vector<CodingTask> EncodeRanks::ChooseTasks(int rank)
 {
   // A rank may still have the viewpoints of groups that it has worked on.
-  const auto begin = this->Undealt.begin();
-  const auto own = std::stable_partition(begin, this->Undealt.end(),
+  const auto begin = this->Remaining.begin();
+  const auto own = std::stable_partition(begin, this->Remaining.end(),
     [&](const CodingTask& task)
     {
-      const auto maker = this->Makers.find(task.Group);
-      return maker != this->Makers.end() && maker->second == rank;
+      const auto worker = this->Workers.find(task.Group);
+      return worker != this->Workers.end() && worker->second == rank;
     });
-  const int undealt = static_cast<int>(this->Undealt.size());
+  const int remaining = static_cast<int>(this->Remaining.size());
   const int held = static_cast<int>(own - begin);
   // Smaller shares towards the end, so that all ranks finish together.
-  const int fair = this->Team.GetCount() > 1 ? undealt / (2 * this->Team.GetCount()) : undealt;
-  int count = std::min(undealt, std::clamp(fair, 1, this->AtOnce));
+  const int fair = this->Team.GetCount() > 1 ? remaining / (2 * this->Team.GetCount()) : remaining;
+  int count = std::min(remaining, std::clamp(fair, 1, this->AtOnce));
   count = held > 0 ? std::min(count, held) : count;
   std::vector<CodingTask> chosen(begin, begin + count);
-  this->Undealt.erase(begin, begin + count);
+  this->Remaining.erase(begin, begin + count);
   for (const CodingTask& task : chosen)
   {
-    this->Makers[task.Group] = rank;
+    this->Workers[task.Group] = rank;
   }
   return chosen;
 }
@@ -303,14 +303,14 @@ void EncodeRanks::Handle(Ranks::Message message)
   switch (topic)
   {
     case Ask:
-      this->Deal(message.From);
+      this->SendTasks(message.From);
       break;
     case Results:
       --this->Outstanding;
       if (!this->Stopped)
       {
         std::vector<CodingResult> results = TakeResults(content);
-        if (!(*this->TakeAll)(results))
+        if (!(*this->Receive)(results))
         {
           this->StopOthers();
         }
@@ -339,7 +339,7 @@ void EncodeRanks::Handle(Ranks::Message message)
 
 void EncodeRanks::HandleShare(ByteBuffer& content)
 {
-  this->Dealt.emplace();
+  this->Received.emplace();
   for (std::uint32_t group = 0; content.Take(group);)
   {
     CodingTask task;
@@ -353,14 +353,14 @@ void EncodeRanks::HandleShare(ByteBuffer& content)
     {
       task.Factors.push_back(factor);
     }
-    this->Dealt->push_back(task);
+    this->Received->push_back(task);
   }
 }
 
-void EncodeRanks::Deal(int rank)
+void EncodeRanks::SendTasks(int rank)
 {
-  const bool isOver = this->Stopped || this->Dismissed;
-  if (!isOver && this->Undealt.empty())
+  const bool isOver = this->Stopped || this->Released;
+  if (!isOver && this->Remaining.empty())
   {
     this->Waiting.push_back(rank);
     return;
@@ -368,7 +368,7 @@ void EncodeRanks::Deal(int rank)
   ByteBuffer share = MakeMessage(Share);
   if (!isOver)
   {
-    for (const CodingTask& task : this->Choose(rank))
+    for (const CodingTask& task : this->ChooseTasks(rank))
     {
       Put(task, share);
     }

@@ -35,12 +35,12 @@ public:
   };
 
   /// Does tasks. False on failure.
-  using Maker =
+  using Worker =
     std::function<bool(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)>;
 
   /// Takes the results of some rank's tasks; a rank whose message is damaged has none. False on
   /// failure.
-  using Taker = std::function<bool(std::vector<CodingResult>& results)>;
+  using Receiver = std::function<bool(std::vector<CodingResult>& results)>;
 
   explicit EncodeRanks(vtkMultiProcessController* controller);
 
@@ -53,13 +53,13 @@ public:
   Verdict Agree(bool isWell, const std::string& shared, int fromRoot);
 
   /// Rank 0: lets all ranks do the tasks, at most `atOnce` at a time. True when all are done.
-  bool Lead(std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);
+  bool DoTasks(std::vector<CodingTask> tasks, int atOnce, const Worker& make, const Receiver& take);
 
-  /// Rank 0: releases the others. Called once after the last Lead, whether or not it failed.
-  void Dismiss();
+  /// Rank 0: releases the others. Called once after the last DoTasks, whether or not it failed.
+  void ReleaseOthers();
 
   /// Other ranks: does the tasks that rank 0 hands out until there are no more.
-  void Follow(const Maker& make);
+  void ServeRoot(const Worker& make);
 
   /// To be called regularly during work. False if the work must stop.
   bool Serve();
@@ -72,28 +72,28 @@ public:
 
 private:
   int FindFailed(bool isWell, const std::string& shared, bool& differs);
-  std::vector<CodingTask> Choose(int rank);
+  std::vector<CodingTask> ChooseTasks(int rank);
   void Handle(Ranks::Message message);
   void HandleShare(ByteBuffer& content);
-  void Deal(int rank);
+  void SendTasks(int rank);
   void StopOthers();
 
   Ranks Team;
   bool Stopped = false; ///< the remaining work is not needed
 
   // Rank 0
-  std::vector<CodingTask> Undealt;
+  std::vector<CodingTask> Remaining;
   int AtOnce = 1;
-  const Taker* TakeAll = nullptr;     ///< while Lead is at work
-  std::map<int, int> Makers;          ///< the rank that worked on a group last
+  const Receiver* Receive = nullptr;  ///< while DoTasks is at work
+  std::map<int, int> Workers;         ///< the rank that worked on a group last
   std::vector<int> Waiting;           ///< ranks that asked when there were no tasks
   std::vector<Ranks::Message> States; ///< final results of the others
   int Outstanding = 0;                ///< the number of shares in work
   int Working = 0;                    ///< the number of other ranks that are not done
   int FailedRank = -1;
-  bool Dismissed = false;
+  bool Released = false;
 
-  std::optional<std::vector<CodingTask>> Dealt; ///< other ranks: the next tasks
+  std::optional<std::vector<CodingTask>> Received; ///< other ranks: the next tasks
 };
 }
 

@@ -6,9 +6,9 @@
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Files/cslfFileSystem.h"
 #include "Parallel/cslfRanks.h"
+#include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
-#include "Pipeline/cslfSlabs.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -73,9 +73,9 @@ EncodeSession::~EncodeSession() = default;
 bool EncodeSession::Fail(unsigned long code, const std::string& text)
 {
   // The first error is the cause.
-  if (this->Fault.Code == vtkErrorCode::NoError)
+  if (this->Error.Code == vtkErrorCode::NoError)
   {
-    this->Fault = { code, text };
+    this->Error = { code, text };
   }
   return false;
 }
@@ -94,27 +94,27 @@ bool EncodeSession::Try(const std::function<bool()>& step)
 }
 
 // Being stopped is an error.
-bool EncodeSession::Goes(bool isAsked)
+bool EncodeSession::ContinueIf(bool isAsked)
 {
   return isAsked || this->FailWriting(vtkErrorCode::UserError, Stopped);
 }
 
-bool EncodeSession::IsWell() const
+bool EncodeSession::HasNoError() const
 {
-  return this->Fault.Code == vtkErrorCode::NoError;
+  return this->Error.Code == vtkErrorCode::NoError;
 }
 
-bool EncodeSession::Check(const EncodeFault& before)
+bool EncodeSession::Check(const EncodeError& before)
 {
   if (!this->Peers.CanTalk())
   {
     // All ranks know it, so the first one reports it.
-    this->Fault = { vtkErrorCode::UserError,
+    this->Error = { vtkErrorCode::UserError,
       this->Peers.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
                                  : "" };
     return false;
   }
-  this->Fault = before;
+  this->Error = before;
   if (before.Code == vtkErrorCode::NoError)
   {
     this->Try([this] { return this->CheckHere(); });
@@ -131,7 +131,7 @@ bool EncodeSession::CheckGrid()
       "The input is not a whole light field: its extent must be 5 N x N x 6 M^2.");
   }
   const int step = std::max(1, this->Job.Settings.KeyViewStep);
-  const std::string fault = KeyViews::FindFault(this->Grid->GetViewpoints(), step);
+  const std::string fault = KeyViews::FindError(this->Grid->GetViewpoints(), step);
   return fault.empty() || this->Fail(vtkErrorCode::UserError, fault);
 }
 
@@ -146,17 +146,17 @@ bool EncodeSession::CheckHere()
     return false;
   }
   // Only rank 0 touches files.
-  std::string fault = this->Peers.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
+  std::string fault = this->Peers.GetRank() == 0 ? FindError(this->Job.FileName) : std::string();
   if (!fault.empty())
   {
     return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
   }
-  fault = FindFault(this->Job.Settings, this->Grid->GetResolution());
+  fault = FindError(this->Job.Settings, this->Grid->GetResolution());
   if (!fault.empty())
   {
     return this->Fail(vtkErrorCode::UserError, fault);
   }
-  this->Puller.emplace(this->Job.Input, *this->Grid);
+  this->Input.emplace(this->Job.Connection, *this->Grid);
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   this->Writer->SetParts(this->Job.Parts);
   std::string error;
@@ -172,7 +172,7 @@ PersistentFile EncodeSession::GetCacheFile() const
 bool EncodeSession::Agree(const std::string& shared, int* fromRoot)
 {
   const EncodeRanks::Verdict verdict =
-    this->Peers.Agree(this->IsWell(), shared, fromRoot ? *fromRoot : 0);
+    this->Peers.Agree(this->HasNoError(), shared, fromRoot ? *fromRoot : 0);
   if (fromRoot)
   {
     *fromRoot = verdict.FromRoot;
@@ -184,20 +184,20 @@ bool EncodeSession::Agree(const std::string& shared, int* fromRoot)
   }
   if (verdict.Failed >= 0 && verdict.Failed != this->Peers.GetRank())
   {
-    this->Fault = { vtkErrorCode::UnknownError, "" };
+    this->Error = { vtkErrorCode::UnknownError, "" };
   }
   return verdict.Failed < 0;
 }
 
-bool EncodeSession::BeginPulling()
+bool EncodeSession::BeginReading()
 {
   std::string error;
-  if (!this->Puller->Begin(error))
+  if (!this->Input->Begin(error))
   {
     return this->Fail(vtkErrorCode::FileFormatError, error);
   }
-  this->Sample = this->Puller->GetFirstChecksum();
-  error = FindFault(this->Job.Settings, this->Puller->GetField());
+  this->Checksum = this->Input->GetFirstChecksum();
+  error = FindError(this->Job.Settings, this->Input->GetField());
   return error.empty() || this->Fail(vtkErrorCode::UserError, error);
 }
 
@@ -216,15 +216,15 @@ bool EncodeSession::TryKeyViews()
   std::string error;
   const vtkSmartPointer<vtkPolyData> geometry = this->GeometryBytes.empty()
     ? nullptr
-    : DecodeGeometry(this->GeometryBytes, this->Puller->GetField().Box, error);
+    : DecodeGeometry(this->GeometryBytes, this->Input->GetField().Box, error);
   Phase phase(this->Job.Reporter, "Choosing key views", PlannedShare);
   int views = 0;
   const auto proceed = [&phase, &views]
   { return phase.Report(1.0 - std::exp(-views++ / ExpectedTrials)); };
   const PipelineWatch watch(this->Job.Connection,
     [this, &phase](vtkAlgorithm* producer)
-    { return this->Goes(phase.ReportFor(producer, phase.GetShare())); });
-  return cslf::ChooseKeyViews(*this->Puller, geometry, this->Job.Settings.NovelViewPSNR, proceed,
+    { return this->ContinueIf(phase.ReportFor(producer, phase.GetShare())); });
+  return cslf::ChooseKeyViews(*this->Input, geometry, this->Job.Settings.NovelViewPSNR, proceed,
            this->Choice, error) ||
     this->FailWriting(vtkErrorCode::UserError, error);
 }
@@ -234,7 +234,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
 {
   if (isReady)
   {
-    this->Puller->SetKeyViewStep(this->Choice.Step);
+    this->Input->SetKeyViewStep(this->Choice.Step);
     this->Cached.emplace(this->CountSlicesThatFit());
   }
   if (isReady && this->Peers.GetRank() == 0)
@@ -258,7 +258,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     if (this->Peers.GetRank() != 0)
     {
       this->Plan = GeometryPlan(
-        { text.begin(), text.end() }, this->Puller->GetField(), { true, (choice & 2) != 0 });
+        { text.begin(), text.end() }, this->Input->GetField(), { true, (choice & 2) != 0 });
     }
   }
   return true;
@@ -268,7 +268,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
 bool EncodeSession::AddGeometry()
 {
   const auto part = this->Job.GetGeometry
-    ? this->Job.GetGeometry(this->Puller->GetField(), this->Job.Parts)
+    ? this->Job.GetGeometry(this->Input->GetField(), this->Job.Parts)
     : std::nullopt;
   if (part)
   {
@@ -281,7 +281,7 @@ bool EncodeSession::AddGeometry()
 
 bool EncodeSession::TryGeometry()
 {
-  const Description field = this->Puller->GetField();
+  const Description field = this->Input->GetField();
   if (this->GeometryBytes.empty() || !this->Job.Settings.ComputesDepth() ||
     !field.FindChannel(KnownChannel::Depth))
   {
@@ -292,30 +292,30 @@ bool EncodeSession::TryGeometry()
   const PipelineWatch watch(this->Job.Connection,
     [this, &phase](vtkAlgorithm* producer)
     {
-      const double share = this->Puller->GetShare(producer->GetProgress());
-      return this->Goes(phase.ReportFor(producer, PullShare * share));
+      const double share = this->Input->GetShare(producer->GetProgress());
+      return this->ContinueIf(phase.ReportFor(producer, PullShare * share));
     });
   std::string error;
-  if (!this->Puller->Pull(slices, error))
+  if (!this->Input->Read(slices, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   const auto report = [this, &phase](double share)
-  { return this->Goes(phase.Report(PullShare + (1.0 - PullShare) * share)); };
+  { return this->ContinueIf(phase.Report(PullShare + (1.0 - PullShare) * share)); };
   this->Plan =
-    GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Puller->GetSlices(), report);
-  return this->IsWell();
+    GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Input->GetSlices(), report);
+  return this->HasNoError();
 }
 
 bool EncodeSession::BeginWriting()
 {
-  this->Writer->Begin(this->Puller->GetField(), this->Sample, this->Plan);
+  this->Writer->Begin(this->Input->GetField(), this->Checksum, this->Plan);
   return this->Peers.GetRank() != 0 || this->OpenParts();
 }
 
 bool EncodeSession::OpenParts()
 {
-  for (const Channel& channel : this->Puller->GetField().Channels)
+  for (const Channel& channel : this->Input->GetField().Channels)
   {
     if (!FindKnownChannel(channel.Name))
     {
@@ -368,14 +368,14 @@ bool EncodeSession::Write(bool hasInput, const std::string& problem)
       this->WriteField(hasInput);
       return true;
     });
-  return this->IsWell();
+  return this->HasNoError();
 }
 
 void EncodeSession::WriteField(bool hasInput)
 {
   const bool isSynchronized = !this->Job.Synchronize || this->Job.Synchronize(hasInput);
   // If the input was stopped because another rank failed, that rank reports it.
-  bool isReady = isSynchronized && hasInput && this->Try([this] { return this->BeginPulling(); });
+  bool isReady = isSynchronized && hasInput && this->Try([this] { return this->BeginReading(); });
   if (isReady && this->Peers.GetRank() == 0)
   {
     isReady = this->Try([this] { return this->AddGeometry(); });
@@ -388,15 +388,15 @@ void EncodeSession::WriteField(bool hasInput)
     if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) &&
       isSynchronized)
     {
-      stored = this->Work();
+      stored = this->CodeGroups();
     }
     this->ReportStored(stored);
   }
-  if (!this->IsWell())
+  if (!this->HasNoError())
   {
     this->Writer.reset();
   }
-  else if (this->Puller->HasClipped())
+  else if (this->Input->HasClipped())
   {
     this->Job.Warn("Colour that is negative, above " + std::to_string(MaximumRadiance) +
       " or not a number is clipped.");
@@ -406,7 +406,7 @@ void EncodeSession::WriteField(bool hasInput)
 // The rank that reports the error may differ from the one that keeps the groups.
 void EncodeSession::ReportStored(int stored)
 {
-  std::string& text = this->Fault.Text;
+  std::string& text = this->Error.Text;
   if (stored > 0 && !text.empty())
   {
     text.erase(text.find_last_not_of('.') + 1);
@@ -414,40 +414,40 @@ void EncodeSession::ReportStored(int stored)
   }
 }
 
-int EncodeSession::Work()
+int EncodeSession::CodeGroups()
 {
   if (this->Peers.GetRank() == 0)
   {
-    this->Lead();
-    this->Try([this] { return this->Conclude(); });
+    this->CodeOnRoot();
+    this->Try([this] { return this->FinishFile(); });
   }
   else
   {
-    this->Follow();
+    this->CodeOnOthers();
   }
   int stored = this->Writer->CountStored();
   this->Agree({}, &stored);
   return stored;
 }
 
-void EncodeSession::Lead()
+void EncodeSession::CodeOnRoot()
 {
   const PipelineWatch watch(this->Job.Connection,
     [this](vtkAlgorithm* producer) { return this->Peers.Serve() && this->ReportInput(producer); });
   bool isDone = false;
-  while (!isDone && this->DoNext(isDone))
+  while (!isDone && this->CodeNextTasks(isDone))
   {
   }
   this->Coding.reset();
-  this->Peers.Dismiss();
+  this->Peers.ReleaseOthers();
   // Stopping because another rank failed is not an error of this rank.
   if (this->Peers.GetFailedRank() >= 0)
   {
-    this->Fault = {};
+    this->Error = {};
   }
 }
 
-bool EncodeSession::DoNext(bool& isDone)
+bool EncodeSession::CodeNextTasks(bool& isDone)
 {
   std::vector<CodingTask> tasks;
   std::string error;
@@ -460,16 +460,16 @@ bool EncodeSession::DoNext(bool& isDone)
   std::vector<CodingTask> undone;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
     [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
-  return this->Peers.Lead(
+  return this->Peers.DoTasks(
            std::move(undone), this->GetGroupsAtOnce(),
            [this](const std::vector<CodingTask>& mine, std::vector<CodingResult>& results)
-           { return this->Try([&] { return this->Make(mine, results); }); },
+           { return this->Try([&] { return this->CodeTasks(mine, results); }); },
            [this](const std::vector<CodingResult>& results)
-           { return this->Try([&] { return this->Take(results); }); }) &&
-    this->NoteTasks(tasks);
+           { return this->Try([&] { return this->StoreResults(results); }); }) &&
+    this->RecordTasks(tasks);
 }
 
-bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
+bool EncodeSession::RecordTasks(const std::vector<CodingTask>& tasks)
 {
   for (const CodingTask& task : tasks)
   {
@@ -484,9 +484,9 @@ bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
   return true;
 }
 
-bool EncodeSession::Conclude()
+bool EncodeSession::FinishFile()
 {
-  if (!this->IsWell() || this->Peers.GetFailedRank() >= 0)
+  if (!this->HasNoError() || this->Peers.GetFailedRank() >= 0)
   {
     return false;
   }
@@ -511,23 +511,23 @@ bool EncodeSession::Conclude()
   return true;
 }
 
-void EncodeSession::Follow()
+void EncodeSession::CodeOnOthers()
 {
   const PipelineWatch watch(
     this->Job.Connection, [this](vtkAlgorithm*) { return this->Peers.Serve(); });
-  this->Peers.Follow(
+  this->Peers.ServeRoot(
     [this](const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
-    { return this->Try([&] { return this->Make(tasks, results); }); });
+    { return this->Try([&] { return this->CodeTasks(tasks, results); }); });
   if (this->Peers.IsStopped())
   {
-    this->Fault = {};
+    this->Error = {};
   }
 }
 
 int EncodeSession::CountSlicesThatFit() const
 {
   double texelBytes = 0.0;
-  for (const Channel& channel : this->Puller->GetField().Channels)
+  for (const Channel& channel : this->Input->GetField().Channels)
   {
     texelBytes += FindKnownChannel(channel.Name) ? channel.GetTexelBytes() : 0;
   }
@@ -542,13 +542,14 @@ int EncodeSession::GetGroupsAtOnce() const
   return std::max(1, std::min(GroupsPerThread * threads, fitting));
 }
 
-bool EncodeSession::Make(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
+bool EncodeSession::CodeTasks(
+  const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
 {
   std::vector<ViewpointSamples> slices;
   std::vector<GroupParts> parts;
   std::string error;
   this->TasksAtWork = CountTasks(tasks);
-  if (!this->Gather(tasks, slices))
+  if (!this->GatherSlices(tasks, slices))
   {
     return false;
   }
@@ -581,7 +582,7 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, std::vector<Codin
   return true;
 }
 
-bool EncodeSession::Gather(
+bool EncodeSession::GatherSlices(
   const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices)
 {
   std::vector<int> pulled;
@@ -593,11 +594,11 @@ bool EncodeSession::Gather(
     }
   }
   std::string error;
-  if (!this->Puller->Pull(this->Writer->GetSlices(pulled), error))
+  if (!this->Input->Read(this->Writer->GetSlices(pulled), error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
-  const std::vector<ViewpointSamples> fresh = this->Puller->GetSlices();
+  const std::vector<ViewpointSamples> fresh = this->Input->GetSlices();
   GeometryFit ignored;
   const auto progress = [this](double share)
   { return this->Peers.Serve() && this->ReportTasks(PullShare + (FitShare - PullShare) * share); };
@@ -624,7 +625,7 @@ bool EncodeSession::Gather(
   return true;
 }
 
-bool EncodeSession::Take(const std::vector<CodingResult>& results)
+bool EncodeSession::StoreResults(const std::vector<CodingResult>& results)
 {
   if (results.empty())
   {
@@ -688,13 +689,13 @@ double EncodeSession::GetShareAt(double ofTasks) const
 // Other ranks have nobody to report to.
 bool EncodeSession::ReportTasks(double share)
 {
-  return !this->Coding || this->Goes(this->Coding->Report(this->GetShareAt(share)));
+  return !this->Coding || this->ContinueIf(this->Coding->Report(this->GetShareAt(share)));
 }
 
 bool EncodeSession::ReportInput(vtkAlgorithm* producer)
 {
-  const double share = PullShare * this->Puller->GetShare(producer->GetProgress());
-  return this->Goes(this->Coding->ReportFor(producer, this->GetShareAt(share)));
+  const double share = PullShare * this->Input->GetShare(producer->GetProgress());
+  return this->ContinueIf(this->Coding->ReportFor(producer, this->GetShareAt(share)));
 }
 
 bool EncodeSession::ReportProgress()

@@ -12,7 +12,7 @@
 #include "cslfEncodeRanks.h"
 #include "cslfFieldWriter.h"
 #include "cslfHeldOutViews.h"
-#include "cslfSlicePuller.h"
+#include "cslfViewpointReader.h"
 
 #include <chrono>
 #include <functional>
@@ -53,7 +53,7 @@ struct EncodeJob
 };
 
 /// Why a file was not written: one of vtkErrorCode's, and a sentence.
-struct EncodeFault
+struct EncodeError
 {
   unsigned long Code = 0;
   std::string Text;
@@ -80,7 +80,7 @@ public:
 
   /// Checks everything that can be checked before the input executes, on all ranks. An earlier
   /// error of this rank comes first. False if there is an error on any rank.
-  bool Check(const EncodeFault& before);
+  bool Check(const EncodeError& before);
 
   /// Writes the file, on all ranks. The input contains its first viewpoint unless it has failed,
   /// because of a problem if it is known.
@@ -97,7 +97,7 @@ public:
   PersistentFile GetCacheFile() const;
 
   /// The error, if the code is not NoError. The text is empty if another rank reports it.
-  const EncodeFault& GetFault() const { return this->Fault; }
+  const EncodeError& GetError() const { return this->Error; }
 
   /// The results, on rank 0 after success.
   const EncodeOutcome& GetOutcome() const { return this->Outcome; }
@@ -105,15 +105,15 @@ public:
 private:
   bool Fail(unsigned long code, const std::string& text);
   bool FailWriting(unsigned long code, const std::string& error);
-  bool Goes(bool isAsked);
+  bool ContinueIf(bool isAsked);
   bool Try(const std::function<bool()>& step);
   void ReportStored(int stored);
-  bool IsWell() const;
+  bool HasNoError() const;
   bool Agree(const std::string& shared, int* fromRoot = nullptr);
   bool CheckHere();
   bool CheckGrid();
   void WriteField(bool hasInput);
-  bool BeginPulling();
+  bool BeginReading();
   bool ChooseKeyViews(bool isReady);
   bool TryKeyViews();
   bool ChooseGeometry(bool isReady);
@@ -122,18 +122,18 @@ private:
   bool BeginWriting();
   bool OpenParts();
 
-  int Work(); ///< the number of groups that will be stored in the end
-  void Lead();
-  void Follow();
-  bool Conclude();
-  bool DoNext(bool& isDone);
-  bool NoteTasks(const std::vector<CodingTask>& tasks);
+  int CodeGroups(); ///< the number of groups that will be stored in the end
+  void CodeOnRoot();
+  void CodeOnOthers();
+  bool FinishFile();
+  bool CodeNextTasks(bool& isDone);
+  bool RecordTasks(const std::vector<CodingTask>& tasks);
 
   int CountSlicesThatFit() const;
   int GetGroupsAtOnce() const;
-  bool Make(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results);
-  bool Gather(const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices);
-  bool Take(const std::vector<CodingResult>& results);
+  bool CodeTasks(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results);
+  bool GatherSlices(const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices);
+  bool StoreResults(const std::vector<CodingResult>& results);
   void WritePreview();
 
   /// The share of coding that is done, with a part of the tasks that are being done.
@@ -145,17 +145,17 @@ private:
 
   EncodeJob Job;
   EncodeRanks Peers;
-  EncodeFault Fault;
+  EncodeError Error;
   EncodeOutcome Outcome;
   std::optional<Layout> Grid; ///< of the input
-  std::optional<SlicePuller> Puller;
+  std::optional<ViewpointReader> Input;
   std::optional<GroupCache> Cached;
   std::optional<FieldWriter> Writer;
   std::optional<RateControl> Control;       ///< rank 0
   std::vector<unsigned char> GeometryBytes; ///< coded; only on rank 0
   KeyViewChoice Choice;
   GeometryPlan Plan;
-  std::uint32_t Sample = 0;    ///< stands for the field's samples
+  std::uint32_t Checksum = 0;  ///< of the first viewpoint: stands for the field's samples
   std::optional<Phase> Coding; ///< rank 0, while it lasts
   std::size_t TasksAtWork = 0;
   bool IsStopped = false;

@@ -48,7 +48,7 @@ bool HasRadiance(const Description& field)
   return field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
 }
 
-std::string FindFault(const std::string& fileName)
+std::string FindError(const std::string& fileName)
 {
   const fs::path path = ToPath(fileName);
   if (!FindContainer(fileName))
@@ -68,7 +68,7 @@ std::string FindFault(const std::string& fileName)
   return {};
 }
 
-std::string FindFault(const EncodeSettings& settings, int resolution)
+std::string FindError(const EncodeSettings& settings, int resolution)
 {
   const auto& presets = GetPresets();
   if (std::find(presets.begin(), presets.end(), settings.Preset) == presets.end())
@@ -87,7 +87,7 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
     return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
       ListColorFormats() + ".";
   }
-  std::string fault = FindFault(settings.Target, settings.Lossless);
+  std::string fault = FindError(settings.Target, settings.Lossless);
   if (!fault.empty())
   {
     return fault;
@@ -117,7 +117,7 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
   return {};
 }
 
-std::string FindFault(const Description& field)
+std::string FindError(const Description& field)
 {
   if (!field.FindChannel(KnownChannel::Color))
   {
@@ -134,7 +134,7 @@ std::string FindFault(const Description& field)
   return {};
 }
 
-std::string FindFault(const EncodeSettings& settings, const Description& field)
+std::string FindError(const EncodeSettings& settings, const Description& field)
 {
   if (!HasRadiance(field))
   {

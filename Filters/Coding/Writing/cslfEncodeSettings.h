@@ -36,16 +36,16 @@ struct EncodeSettings
 };
 
 /// Why a file of that name cannot be written, in one line; empty if it can. Touches no file.
-std::string FindFault(const std::string& fileName);
+std::string FindError(const std::string& fileName);
 
 /// Why frames of that resolution cannot be coded with these settings, likewise.
-std::string FindFault(const EncodeSettings& settings, int resolution);
+std::string FindError(const EncodeSettings& settings, int resolution);
 
 /// Why a field cannot be coded, in one line; empty if it can.
-std::string FindFault(const Description& field);
+std::string FindError(const Description& field);
 
 /// Why it cannot be coded with these settings, which have passed the checks above, likewise.
-std::string FindFault(const EncodeSettings& settings, const Description& field);
+std::string FindError(const EncodeSettings& settings, const Description& field);
 
 /// The encoder and the format of colour that settings ask for. The encoder is null if this FFmpeg
 /// has none.

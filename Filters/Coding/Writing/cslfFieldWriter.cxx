@@ -15,14 +15,25 @@ namespace cslf
 {
 namespace
 {
-/// What a container stores once per file, beside the header, and once per track, as measured.
+/// What a container stores beside the header and the frames, as measured: once per file, once per
+/// track, for each of a track's groups (more if there are other tracks between them) and frames,
+/// and where the difference between a frame's places in coding and in presentation changes.
 struct ContainerBytes
 {
   double File;
   double Track;
+  double Group;
+  double GroupBetweenOthers;
+  double Frame;
+  double Reordering;
 };
-constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0 };
-constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0 };
+constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0, 4.0, 16.0, 4.0, 8.0 };
+constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0, 19.0, 19.0, 7.0, 0.0 };
+
+const ContainerBytes& FindContainerBytes(const std::string& fileName)
+{
+  return std::string(FindContainer(fileName)) == "mp4" ? BytesOfMP4 : BytesOfMatroska;
+}
 
 /// The bytes of a texel of raw 24-bit colour.
 constexpr double RawTexelBytes = 3.0;
@@ -48,7 +59,7 @@ std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
   return slices;
 }
 
-void FieldWriter::Begin(const Description& field, std::uint32_t sample, const GeometryPlan& plan)
+void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const GeometryPlan& plan)
 {
   FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
   this->Header.Groups = std::move(order.Groups);
@@ -84,15 +95,15 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample, const Ge
       { track, 0, std::vector<std::uint32_t>(this->Header.Groups.size(), 0) });
   }
   this->States.assign(this->Header.Tracks.size(), TrackState());
-  this->Manifest = this->MakeManifest(sample, plan);
+  this->Manifest = this->MakeManifest(checksum, plan);
 }
 
-std::string FieldWriter::MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const
+std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 4 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
-    { "description", this->Header.Field.ToJSON() }, { "sample", sample },
+    { "description", this->Header.Field.ToJSON() }, { "sample", checksum },
     { "geometry", plan.GetChecksum() }, { "computes_coverage", plan.GetComputed().HasCoverage },
     { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
@@ -120,8 +131,7 @@ double FieldWriter::GetContainerBytes(bool hasCoverage) const
                           [](const CodedTrack& track) { return track.Kind.Role == CoverageRole; }),
       header.Tracks.end());
   }
-  const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
-  const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
+  const ContainerBytes& bytes = FindContainerBytes(this->FileName);
   double sum = bytes.File + bytes.Track * static_cast<double>(header.Tracks.size());
   for (const auto& [name, text] : header.ToTags())
   {
@@ -200,7 +210,7 @@ FieldWriter::Found FieldWriter::FindGroup(int group)
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
     std::string ignored;
-    if (!this->Note(track, group, parts[track], ignored))
+    if (!this->RecordPart(track, group, parts[track], ignored))
     {
       return Found::Damaged;
     }
@@ -211,24 +221,24 @@ FieldWriter::Found FieldWriter::FindGroup(int group)
 
 GroupCost FieldWriter::GetCost(const GroupParts& parts) const
 {
+  const ContainerBytes& container = FindContainerBytes(this->FileName);
   GroupCost cost;
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
     const bool isCoverage = this->Header.Tracks[track].Kind.Role == CoverageRole;
+    double& bytes = isCoverage ? cost.CoverageBytes : cost.Bytes;
+    bytes += parts.size() > 1 ? container.GroupBetweenOthers : container.Group;
+    int place = 0;
+    int last = 0;
     for (const CodedFrame& frame : parts[track].Frames)
     {
-      (isCoverage ? cost.CoverageBytes : cost.Bytes) += static_cast<double>(frame.Data.size());
+      const int offset = frame.Index - place++;
+      bytes += container.Frame + static_cast<double>(frame.Data.size()) +
+        (offset == last ? 0.0 : container.Reordering);
+      last = offset;
     }
     cost.CoveredFully = isCoverage ? parts[track].CoveredFully : cost.CoveredFully;
   }
-  const std::vector<Track> tracks = this->Coder->GetTracks();
-  const double container =
-    MeasureContainer(this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
-  const bool hasCoverage = std::any_of(
-    tracks.begin(), tracks.end(), [](const Track& track) { return track.Role == CoverageRole; });
-  const double share = hasCoverage ? 1.0 / static_cast<double>(tracks.size()) : 0.0;
-  cost.CoverageBytes += share * container;
-  cost.Bytes += (1.0 - share) * container;
   cost.SquaredError = parts.front().SquaredError;
   return cost;
 }
@@ -238,7 +248,7 @@ bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& er
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
-    if (!this->Note(track, group, parts[track], error))
+    if (!this->RecordPart(track, group, parts[track], error))
     {
       return false;
     }
@@ -258,7 +268,8 @@ bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& er
   return true;
 }
 
-bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std::string& error)
+bool FieldWriter::RecordPart(
+  std::size_t track, int group, const CodedGroup& part, std::string& error)
 {
   TrackState& state = this->States[track];
   CodedTrack& coded = this->Header.Tracks[track];

@@ -37,9 +37,9 @@ public:
   /// The slices of some groups in coding order.
   std::vector<int> GetSlices(const std::vector<int>& groups) const;
 
-  /// Fixes order and tracks. `field` has passed FindFault; `sample` stands for the field's samples.
-  /// Groups are made to fit to the plan before they are coded.
-  void Begin(const Description& field, std::uint32_t sample, const GeometryPlan& plan);
+  /// Fixes order and tracks. `field` has passed FindError; `checksum` stands for the field's
+  /// samples. Groups are made to fit to the plan before they are coded.
+  void Begin(const Description& field, std::uint32_t checksum, const GeometryPlan& plan);
 
   /// What the file contains besides the field.
   void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
@@ -137,14 +137,14 @@ private:
     Damaged
   };
 
-  std::string MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const;
+  std::string MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const;
   bool Join(
     const std::string& fileName, const std::function<bool(double)>& progress, std::string& error);
   double GetStoredBytes() const;
   double GetWantedBytes() const;
   double GetMissingBytes() const;
   Found FindGroup(int group);
-  bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
+  bool RecordPart(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
 
   std::string FileName;

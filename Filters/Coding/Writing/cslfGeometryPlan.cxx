@@ -53,7 +53,7 @@ GeometryPlan::GeometryPlan(
     bytes.empty() || !computed.HasDepth ? nullptr : DecodeGeometry(bytes, field.Box, ignored);
   // What a geometry of the opaque surfaces lacks is only in the depth.
   if (geometry && !IsOpaqueGeometry(geometry) &&
-    static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MostTriangles)
+    static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MaximumTriangles)
   {
     // As readers get it, with positions that are rounded.
     this->Depths.emplace(geometry, field.Box, field.Grid);
@@ -80,7 +80,8 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   }
   GeometryFit fit;
   const bool isDone = plan.Fit(slices, samples, progress, fit);
-  plan = isDone && fit.Texels > 0 && fit.GetLoss() <= MostLoss ? std::move(plan) : GeometryPlan();
+  plan =
+    isDone && fit.Texels > 0 && fit.GetLoss() <= MaximumLoss ? std::move(plan) : GeometryPlan();
   plan.Loss = fit.GetLoss();
   return plan;
 }

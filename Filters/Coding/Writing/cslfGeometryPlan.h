@@ -33,7 +33,7 @@ class GeometryPlan
 {
 public:
   /// The largest loss of viewpoints (GeometryFit::GetLoss) with which a geometry is used.
-  static constexpr double MostLoss = 0.05;
+  static constexpr double MaximumLoss = 0.05;
 
   /// Nothing is computed.
   GeometryPlan() = default;

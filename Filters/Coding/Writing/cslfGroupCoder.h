@@ -21,7 +21,7 @@ namespace cslf
 class GroupCoder
 {
 public:
-  /// Field and settings have passed FindFault; `groups` has the number of frames of each group.
+  /// Field and settings have passed FindError; `groups` has the number of frames of each group.
   /// `computed` are the tracks that files do not need, because readers compute their contents.
   GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups,
     std::vector<TrackRole> computed);

@@ -276,10 +276,10 @@ ExposureErrors Compare(
 
 /// The mean square errors of a viewpoint of the whole field, looked up from key views. On failure
 /// returns false and gives the reason.
-bool MeasureView(SlicePuller& puller, const GeometryRays* surfaces, const KeyViews& keys, int view,
-  ExposureErrors& errors, std::string& error)
+bool MeasureView(ViewpointReader& input, const GeometryRays* surfaces, const KeyViews& keys,
+  int view, ExposureErrors& errors, std::string& error)
 {
-  const Description whole = puller.GetField();
+  const Description whole = input.GetField();
   const Description field = keys.Apply(whole);
   const Viewpoint viewpoint = whole.Grid.ViewpointOf(view);
   const std::vector<int> around =
@@ -289,12 +289,12 @@ bool MeasureView(SlicePuller& puller, const GeometryRays* surfaces, const KeyVie
   std::transform(around.begin(), around.end(), std::back_inserter(slices),
     [&keys](int slice) { return keys.ToWhole(slice); });
   slices.push_back(view);
-  if (!puller.Pull(slices, error))
+  if (!input.Read(slices, error))
   {
     return false;
   }
   // All pulled slices are in the same arrays, one after the other.
-  const std::vector<ViewpointSamples> pulled = puller.GetSlices();
+  const std::vector<ViewpointSamples> pulled = input.GetSlices();
   vtkNew<vtkImageData> image;
   image->SetDimensions(
     whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
@@ -338,10 +338,10 @@ std::vector<int> ListSteps(int viewpoints)
 
 /// The PSNR of the viewpoints that a step of key views leaves out, see KeyViewChoice. On failure
 /// returns false and gives the reason in one line.
-bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int step,
+bool MeasureHeldOutViews(ViewpointReader& input, const GeometryRays* surfaces, int step,
   const std::function<bool()>& proceed, double& psnr, std::string& error)
 {
-  const Layout grid = puller.GetField().Grid;
+  const Layout grid = input.GetField().Grid;
   const KeyViews keys(grid.GetViewpoints(), step);
   std::vector<ViewSequence> sequences;
   std::vector<FaceErrors> faces(FaceCount);
@@ -357,7 +357,7 @@ bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int 
       }
       const int slice = sequences[face].Next();
       ExposureErrors errors;
-      if (slice >= 0 && !MeasureView(puller, surfaces, keys, slice, errors, error))
+      if (slice >= 0 && !MeasureView(input, surfaces, keys, slice, errors, error))
       {
         return false;
       }
@@ -392,10 +392,10 @@ bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int 
 }
 }
 
-bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
+bool ChooseKeyViews(ViewpointReader& input, vtkPolyData* geometry, double goal,
   const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error)
 {
-  const Description field = puller.GetField();
+  const Description field = input.GetField();
   std::optional<GeometryRays> surfaces;
   if (geometry && IsUsefulGeometry(geometry) && field.FindChannel(KnownChannel::Depth))
   {
@@ -410,7 +410,7 @@ bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
     const std::size_t middle = (good + bad) / 2;
     KeyViewChoice candidate{ steps[middle], 0.0 };
     if (!MeasureHeldOutViews(
-          puller, surfaces ? &*surfaces : nullptr, candidate.Step, proceed, candidate.PSNR, error))
+          input, surfaces ? &*surfaces : nullptr, candidate.Step, proceed, candidate.PSNR, error))
     {
       return false;
     }

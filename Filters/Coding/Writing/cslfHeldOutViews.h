@@ -15,7 +15,7 @@
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
 
-#include "cslfSlicePuller.h"
+#include "cslfViewpointReader.h"
 
 #include <functional>
 #include <string>
@@ -37,10 +37,10 @@ struct KeyViewChoice
 };
 
 /// Finds the largest step of key views whose PSNR is at least `goal`. Assumes that larger steps
-/// have smaller PSNRs. `puller` has begun and pulls all viewpoints. `geometry` may be null.
+/// have smaller PSNRs. `input` has begun and pulls all viewpoints. `geometry` may be null.
 /// `proceed` is called regularly, and returns false to stop. On failure, for example if no step
 /// above 1 is good enough, returns false and gives the reason in one line.
-bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
+bool ChooseKeyViews(ViewpointReader& input, vtkPolyData* geometry, double goal,
   const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error);
 }
 

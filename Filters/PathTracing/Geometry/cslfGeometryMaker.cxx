@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryMaker.h"
 
+#include "Geometry/cslfGeometryData.h"
 #include "Geometry/cslfReduction.h"
-#include "Geometry/cslfSubdivision.h"
 #include "Geometry/cslfSurfaceError.h"
+#include "Geometry/cslfSurfaceMesh.h"
 #include "Geometry/cslfViewpointChoice.h"
 #include "PathTracing/Materials/cslfFrame.h"
-#include "PathTracing/Texels/cslfFieldRays.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfTriangleList.h"
 #include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfSeenPlaces.h"
@@ -16,33 +18,114 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <vtkAdaptiveSubdivisionFilter.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace cslf
 {
 namespace
 {
+// Divides large triangles.
+
+/// Divides triangles until no edge is longer than `longest`, or than a larger length with which
+/// there are at most `most` triangles. The surface stays the same, but what its points have can
+/// vary within it.
+void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most);
+
+/// The length of the longest edge of each triangle.
+std::vector<double> FindLongestEdges(const SurfaceMesh& mesh)
+{
+  std::vector<double> lengths;
+  lengths.reserve(mesh.Triangles.size());
+  for (const glm::uvec3& corners : mesh.Triangles)
+  {
+    const glm::dvec3 a(mesh.Points[corners.x]);
+    const glm::dvec3 b(mesh.Points[corners.y]);
+    const glm::dvec3 c(mesh.Points[corners.z]);
+    lengths.push_back(std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) }));
+  }
+  return lengths;
+}
+
+/// About how many triangles there are if all edges are divided into equal parts. Each halving
+/// divides a triangle into four.
+double CountDivided(const std::vector<double>& edges, double longest)
+{
+  double count = 0.0;
+  for (const double edge : edges)
+  {
+    count += edge > longest ? std::pow(4.0, std::ceil(std::log2(edge / longest))) : 1.0;
+  }
+  return count;
+}
+
+SurfaceMesh Divide(const SurfaceMesh& mesh, double longest)
+{
+  vtkNew<vtkAdaptiveSubdivisionFilter> divider;
+  divider->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
+  divider->SetMaximumEdgeLength(longest);
+  divider->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
+  divider->Update();
+  vtkPolyData* data = divider->GetOutput();
+  SurfaceMesh divided;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    divided.Points.emplace_back(point[0], point[1], point[2]);
+  }
+  const std::vector<unsigned int> corners = ListCorners(data);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    divided.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+  }
+  return divided;
+}
+
+void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most)
+{
+  const std::vector<double> edges = FindLongestEdges(mesh);
+  const double all = edges.empty() ? 0.0 : *std::max_element(edges.begin(), edges.end());
+  for (; longest > 0.0 && longest < all; longest *= 2.0)
+  {
+    if (CountDivided(edges, longest) <= static_cast<double>(most))
+    {
+      SurfaceMesh divided = Divide(mesh, longest);
+      if (divided.Triangles.size() <= most)
+      {
+        mesh = std::move(divided);
+        return;
+      }
+    }
+  }
+}
+
 /// How far the surface may move, in texels at the cube's centre.
-constexpr double MostTexels = 0.1;
+constexpr double MaximumTexels = 0.1;
 
 /// The share of the surface that may be lost where it moves so little: bodies can be thinner than
 /// that. If more is lost, the surface may move a fraction of it, and then of that, and so on.
-constexpr double MostLoss = 0.002;
+constexpr double MaximumLoss = 0.002;
 constexpr float TolerancePart = 0.25f;
-constexpr int MostParts = 3;
+constexpr int PartLimit = 3;
 
 /// Spheres, tubes and instances may become as coarse as this.
 constexpr int Coarsest = 3;
 
 /// Still coarser ones are only tried if these differ less from the scene, by this factor.
-constexpr double LeastGain = 0.9;
+constexpr double MinimumGain = 0.9;
 
 /// The most triangles before hidden ones are removed.
-constexpr std::size_t MostTessellated = 16u << 20;
+constexpr std::size_t MaximumTessellated = 16u << 20;
 
 /// The edge of the cells in which something is seen, in texels at the cube's centre. Viewpoints of
 /// all sides see a texel's surface by many rays.
@@ -54,8 +137,8 @@ constexpr int WideCells = 4;
 
 /// The most viewpoints along a side of a face, and texels along a side of their pictures, that
 /// decide what is seen.
-constexpr int MostViewpoints = 9;
-constexpr int MostResolution = 128;
+constexpr int ViewpointLimit = 9;
+constexpr int ResolutionLimit = 128;
 
 /// The number of directions that decide whether a point can be seen on a side.
 constexpr int Directions = 64;
@@ -64,7 +147,7 @@ constexpr int Directions = 64;
 constexpr double StartTexels = 0.5;
 
 /// How far they may go, in multiples of that: simplified surfaces lie elsewhere.
-constexpr float MostReach = 4.0f;
+constexpr float MaximumReach = 4.0f;
 
 /// The longest edge of a triangle, in texels at the cube's centre, unless there are too many
 /// triangles. What no viewpoint near a ray sees is shown in the colours of the points, between
@@ -186,8 +269,8 @@ void FindSides(const Scene& scene, float distance, const Progress& progress, Geo
       for (vtkIdType i = begin; i < end; ++i)
       {
         const Ray rays[2] = { aim(i, 0), aim(i, 1) };
-        const Met met[2] = { FindMet(scene, rays[0], MostReach * distance),
-          FindMet(scene, rays[1], MostReach * distance) };
+        const Met met[2] = { FindMet(scene, rays[0], MaximumReach * distance),
+          FindMet(scene, rays[1], MaximumReach * distance) };
         // Otherwise the corners of the scene's polygons are in no consistent order.
         const bool isOrdered = met[0] == Met::Front || met[1] == Met::Back;
         for (const int side : { 0, 1 })
@@ -220,7 +303,7 @@ SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
   const std::vector<int>& slices, double texel, const Progress& progress)
 {
   const Layout pictures(
-    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
+    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), ResolutionLimit));
   const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
   SeenPlaces seen(scene, static_cast<float>(cell));
   const auto makeRays = [&](int tile)
@@ -249,16 +332,16 @@ void SimplifyWell(SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3
   double texel, double most, const Progress& progress)
 {
   Stretch(stretch, points);
-  auto tolerance = static_cast<float>(MostTexels * texel);
-  for (int part = 0; part <= MostParts; ++part, tolerance *= TolerancePart)
+  auto tolerance = static_cast<float>(MaximumTexels * texel);
+  for (int part = 0; part <= PartLimit; ++part, tolerance *= TolerancePart)
   {
-    const Progress step = InPart(progress, part, MostParts + 1);
+    const Progress step = InPart(progress, part, PartLimit + 1);
     SurfaceMesh simple = surface;
     Stretch(stretch, simple.Points);
     ChangeApart(simple, Within(step, 0.0, 0.5),
       [tolerance](SurfaceMesh& changed) { Simplify(changed, tolerance); });
     const SurfaceError error = MeasureError(points, simple, texel, Within(step, 0.5, 1.0));
-    if (error.Loss <= MostLoss && error.RootMeanSquare <= most)
+    if (error.Loss <= MaximumLoss && error.RootMeanSquare <= most)
     {
       Stretch(1.0f / stretch, simple.Points);
       surface = std::move(simple);
@@ -284,12 +367,12 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
   const glm::dvec3& edges = settings.Box.Edges;
   const glm::vec3 stretch(std::max({ edges.x, edges.y, edges.z }) / edges);
   const float tolerance =
-    static_cast<float>(MostTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
+    static_cast<float>(MaximumTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
   const SeenPlaces seen =
     LookAround(scene, settings, slices, texel, Within(progress, 0.0, LookShare));
   const SeenPlaces nearlySeen = seen.Widen(WideCells);
   int coarseness = 0;
-  while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MostTessellated)
+  while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MaximumTessellated)
   {
     ++coarseness;
   }
@@ -305,7 +388,7 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
   {
     const Progress step = InPart(rest, round, rounds);
     SurfaceMesh surface = Tessellate(
-      meshes, { tolerance, coarseness, MostTessellated }, Within(step, 0.0, TessellatedShare));
+      meshes, { tolerance, coarseness, MaximumTessellated }, Within(step, 0.0, TessellatedShare));
     const std::size_t count = surface.Triangles.size();
     if (count >= std::exchange(previous, count))
     {
@@ -318,18 +401,18 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
       points = SpreadPoints(surface, MeasuredPoints);
       seen.KeepSeen(points);
     }
-    SimplifyWell(surface, stretch, points, texel, MostTexels * texel * (1 << 2 * coarseness),
+    SimplifyWell(surface, stretch, points, texel, MaximumTexels * texel * (1 << 2 * coarseness),
       Within(step, SeenShare, SimplifiedShare));
-    const bool isEnough = surface.Triangles.size() <= settings.MostTriangles;
+    const bool isEnough = surface.Triangles.size() <= settings.MaximumTriangles;
     if (!isEnough)
     {
       seen.KeepSeen(surface, Within(step, SimplifiedShare, SimplifiedShare));
       ChangeApart(surface, Within(step, SimplifiedShare, SimplifiedShare), Weld);
     }
     const SurfaceError error = ReduceWell(
-      surface, settings.MostTriangles, points, texel, Within(step, SimplifiedShare, 1.0));
+      surface, settings.MaximumTriangles, points, texel, Within(step, SimplifiedShare, 1.0));
     const double least = best.Error.GetMeanSquare(texel);
-    isBetter = !isEnough && error.GetMeanSquare(texel) < LeastGain * least;
+    isBetter = !isEnough && error.GetMeanSquare(texel) < MinimumGain * least;
     if (error.GetMeanSquare(texel) < least)
     {
       best.Surface = std::move(surface);
@@ -340,15 +423,16 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
 }
 }
 
-std::string FindGeometryFault(const Scene& scene)
+std::string FindGeometryError(const Scene& scene)
 {
   const ShapeCounts shapes = CountShapes(scene);
   if (shapes.Opaque == 0 && shapes.Omitted > 0)
   {
     return "all surfaces are translucent, or visible from one side only";
   }
-  return CountTriangles(scene.GetMeshes(), Coarsest) > MostTessellated ? "there are too many shapes"
-                                                                       : "";
+  return CountTriangles(scene.GetMeshes(), Coarsest) > MaximumTessellated
+    ? "there are too many shapes"
+    : "";
 }
 
 ShapeCounts CountShapes(const Scene& scene)
@@ -378,7 +462,7 @@ try
   const glm::dvec3& edges = settings.Box.Edges;
   const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
     (settings.Frame.Radius * settings.Grid.GetResolution());
-  const std::vector<int> slices = ChooseSlices(settings.Grid, MostViewpoints);
+  const std::vector<int> slices = ChooseSlices(settings.Grid, ViewpointLimit);
   Geometry geometry =
     FindSurface(scene, settings, slices, texel, Within(progress, 0.0, SurfaceShare));
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
@@ -388,7 +472,7 @@ try
     point = glm::clamp(point, glm::vec3(bounds.Low), glm::vec3(bounds.High));
   }
   ChangeApart(geometry.Surface, Within(progress, SurfaceShare, SortedShare),
-    [longest = LongestTexels * texel, most = settings.MostTriangles](SurfaceMesh& changed)
+    [longest = LongestTexels * texel, most = settings.MaximumTriangles](SurfaceMesh& changed)
     {
       Subdivide(changed, longest, most);
       SortForDrawing(changed);

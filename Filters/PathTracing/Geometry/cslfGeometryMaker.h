@@ -30,7 +30,7 @@ struct GeometrySettings
   Layout Grid;
   Cube Box;
   SceneFrame Frame;
-  std::size_t MostTriangles = 0;
+  std::size_t MaximumTriangles = 0;
 };
 
 struct Geometry
@@ -52,7 +52,7 @@ struct Geometry
 
 /// Says in a few words why a scene cannot have a geometry: none of its surfaces is opaque, or there
 /// are too many shapes. Empty if it can.
-VTKCSLF_EXPORT std::string FindGeometryFault(const Scene& scene);
+VTKCSLF_EXPORT std::string FindGeometryError(const Scene& scene);
 
 /// How many of a scene's shapes, in all instances, its geometry is without: surfaces that rays may
 /// pass would need an order.

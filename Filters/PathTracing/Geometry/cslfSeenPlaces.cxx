@@ -22,23 +22,23 @@ namespace cslf
 namespace
 {
 /// The most cells along the longest side.
-constexpr float MostCells = 512.0f;
+constexpr float MaximumCells = 512.0f;
 
 /// The most points of a triangle that are checked, besides its corners.
-constexpr int MostPoints = 4096;
+constexpr int MaximumPoints = 4096;
 
 /// Rays pass what the geometry does not have: all that is not opaque, but for rounding.
-constexpr float LeastOpacity = 0.999f;
+constexpr float MinimumOpacity = 0.999f;
 
 constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
 
 /// Tiles with at least this number of texels along each side need a ray for one of four texels
 /// only: other viewpoints have theirs for the other ones.
-constexpr int FewestTexels = 16;
+constexpr int MinimumTexels = 16;
 
 /// Between the hits of neighbouring rays, at most this number of cells is seen, too: rays meet
 /// surfaces that they graze far apart.
-constexpr int MostBetween = 16;
+constexpr int MaximumBetween = 16;
 }
 
 SeenPlaces::SeenPlaces(const Scene& scene, float edge)
@@ -46,7 +46,7 @@ SeenPlaces::SeenPlaces(const Scene& scene, float edge)
 {
   const Box bounds = scene.GetBounds();
   const glm::vec3 size = bounds.High - bounds.Low;
-  this->Edge = std::max(edge, std::max({ size.x, size.y, size.z }) / MostCells);
+  this->Edge = std::max(edge, std::max({ size.x, size.y, size.z }) / MaximumCells);
   this->Low = bounds.Low;
   this->Cells = glm::ivec3(glm::floor(size / this->Edge)) + 1;
   const std::size_t count = std::size_t(this->Cells.x) * this->Cells.y * this->Cells.z;
@@ -90,7 +90,7 @@ bool SeenPlaces::IsNear(const glm::vec3 corners[3]) const
     std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[1] - edges[0]) });
   // Slivers need points for their length.
   const float wanted = std::max(area / (this->Edge * this->Edge), length / this->Edge);
-  const int points = static_cast<int>(std::min(2.0f * wanted, float(MostPoints)));
+  const int points = static_cast<int>(std::min(2.0f * wanted, float(MaximumPoints)));
   for (int i = 0; i < 3; ++i)
   {
     if (this->IsNear(corners[i]))
@@ -121,7 +121,7 @@ void SeenPlaces::LookAlong(const RayGrid& rays, int texels, int stride, const gl
   const glm::ivec3 none(-1);
   std::vector<glm::ivec3> cells(std::size_t(side) * side, none);
   RayPacket packet;
-  packet.LeastOpacity = LeastOpacity;
+  packet.MinimumOpacity = MinimumOpacity;
   PacketScale scale;
   float x[RayPacket::Size];
   float y[RayPacket::Size];
@@ -171,7 +171,7 @@ void SeenPlaces::MarkBetween(const glm::ivec3& first, const glm::ivec3& last)
 {
   const glm::ivec3 way = last - first;
   const int steps = std::max({ std::abs(way.x), std::abs(way.y), std::abs(way.z) });
-  for (int step = 1; step < steps && steps <= MostBetween; ++step)
+  for (int step = 1; step < steps && steps <= MaximumBetween; ++step)
   {
     this->Mark(first + way * step / steps);
   }
@@ -190,7 +190,7 @@ std::size_t SeenPlaces::FindPlace(const glm::ivec3& cell) const
 void SeenPlaces::Look(
   int tiles, int side, const std::function<RayGrid(int tile)>& rays, const Progress& progress)
 {
-  const int stride = side < FewestTexels ? 1 : 2;
+  const int stride = side < MinimumTexels ? 1 : 2;
   ParallelFor(0, tiles, OrAbort(progress),
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -18,24 +18,25 @@ namespace cslf
 namespace
 {
 /// The sides of a regular polygon around a circle: at least 6, and not more than 64.
-constexpr int FewestSides = 6;
-constexpr int MostSides = 64;
+constexpr int MinimumSides = 6;
+constexpr int MaximumSides = 64;
 
 /// The fewest triangles that a coarser instance has.
-constexpr std::size_t FewestOfPart = 8;
+constexpr std::size_t MinimumPartShare = 8;
 
 /// The spheres or tubes between two reports of progress.
 constexpr std::size_t ShapesOfReport = 4096;
 
 /// The triangles of the coarsest sphere; tubes have about as many.
-constexpr std::size_t FewestOfRound = 24;
+constexpr std::size_t MinimumOfRound = 24;
 
 /// A polygon of the circle's area lies within about `tolerance` of the circle on both sides.
 int CountSides(float radius, float tolerance)
 {
   const float cosine = std::clamp(1.0f - 1.5f * tolerance / std::max(radius, 1e-30f), -1.0f, 1.0f);
   const float half = std::max(std::acos(cosine), 1e-3f);
-  return std::clamp(static_cast<int>(std::ceil(glm::pi<float>() / half)), FewestSides, MostSides);
+  return std::clamp(
+    static_cast<int>(std::ceil(glm::pi<float>() / half)), MinimumSides, MaximumSides);
 }
 
 /// Adds surfaces of revolution.
@@ -229,14 +230,15 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress&
   {
     return;
   }
-  const std::size_t most = settings.MostTriangles / mesh.Instances.size();
+  const std::size_t most = settings.MaximumTriangles / mesh.Instances.size();
   ChangeApart(part, Within(progress, 1.0, 1.0),
     [most, tolerance = tolerance / scale, coarseness = settings.Coarseness](SurfaceMesh& changed)
     {
       Simplify(changed, tolerance);
       constexpr bool byParts = true;
       Reduce(changed,
-        std::max(std::min(changed.Triangles.size() >> coarseness, most), FewestOfPart), byParts);
+        std::max(std::min(changed.Triangles.size() >> coarseness, most), MinimumPartShare),
+        byParts);
     });
   for (const MeshInstance& instance : mesh.Instances)
   {
@@ -274,10 +276,10 @@ std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
   for (const Mesh& mesh : meshes)
   {
     const bool isRound = mesh.Shape != Mesh::Shapes::Triangles;
-    const std::size_t shapes = mesh.GetNumberOfShapes() * (isRound ? FewestOfRound : 1);
+    const std::size_t shapes = mesh.GetNumberOfShapes() * (isRound ? MinimumOfRound : 1);
     count += mesh.Instances.empty()
       ? shapes
-      : mesh.Instances.size() * std::max(std::min(shapes, shapes >> coarseness), FewestOfPart);
+      : mesh.Instances.size() * std::max(std::min(shapes, shapes >> coarseness), MinimumPartShare);
   }
   return count;
 }

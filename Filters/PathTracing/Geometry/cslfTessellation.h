@@ -28,7 +28,7 @@ struct TessellationSettings
   int Coarseness = 0;
 
   /// The most triangles of all instances of a mesh, as far as possible.
-  std::size_t MostTriangles = 0;
+  std::size_t MaximumTriangles = 0;
 };
 
 /// About how many triangles a tessellation of that coarseness has at least.

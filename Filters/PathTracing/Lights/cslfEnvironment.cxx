@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEnvironment.h"
 
-#include "PathTracing/Materials/cslfImageCurve.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfDecimalPoint.h"
@@ -11,14 +10,74 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace cslf
 {
 namespace
 {
+bool StartsWith(const std::string& text, const char* prefix)
+{
+  return text.rfind(prefix, 0) == 0;
+}
+
+/// The exponent in a name such as "gamma2.2" or "g22_rec709_scene"; 0 for other names.
+double FindGamma(const std::string& name)
+{
+  if (StartsWith(name, "gamma"))
+  {
+    // Not strtod, which takes the decimal comma of the program's language.
+    double gamma = 0.0;
+    std::from_chars(name.data() + 5, name.data() + name.size(), gamma);
+    return gamma;
+  }
+  const bool isShort = name.size() > 2 && name[0] == 'g' && std::isdigit(name[1]) &&
+    std::isdigit(name[2]) && (name.size() == 3 || name[3] == '_');
+  return isShort ? (10 * (name[1] - '0') + (name[2] - '0')) / 10.0 : 0.0;
+}
+}
+
+ImageCurve::ImageCurve(const std::string& colorSpace, bool isFloat)
+  : IsSRGB(!isFloat)
+{
+  std::string name = colorSpace;
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const double gamma = FindGamma(name);
+  // The curve of Rec. 709 video is close to sRGB's.
+  if (StartsWith(name, "srgb") || name == "rec709")
+  {
+    this->IsSRGB = true;
+  }
+  else if (std::isfinite(gamma) && gamma > 0.0)
+  {
+    this->IsSRGB = false;
+    this->Gamma = gamma;
+  }
+  else if (StartsWith(name, "lin") || name == "scene_linear" || name == "acescg" ||
+    StartsWith(name, "aces2065") || name == "raw" || name == "data")
+  {
+    this->IsSRGB = false;
+  }
+}
+
+double ImageCurve::ToLinear(double value) const
+{
+  if (this->IsSRGB)
+  {
+    return SRGBToLinear(value);
+  }
+  return this->Gamma == 1.0 ? value : std::pow(std::max(value, 0.0), this->Gamma);
+}
+
+namespace
+{
 /// More are refused, so that a file cannot ask for much memory: twice as many as 16K images have.
-constexpr std::size_t MostPixels = std::size_t(1) << 28;
+constexpr std::size_t MaximumPixels = std::size_t(1) << 28;
 
 /// The integral of the interpolated image over each pixel, times the pixel's solid angle. It is
 /// above 0 wherever the image is.
@@ -83,10 +142,10 @@ bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, 
   }
   const OIIO::ImageSpec spec = input->spec();
   const std::size_t count = std::size_t(std::max(spec.width, 0)) * std::max(spec.height, 0);
-  if (count > MostPixels)
+  if (count > MaximumPixels)
   {
     error = "The environment image \"" + fileName + "\" has more than " +
-      std::to_string(MostPixels) + " pixels.";
+      std::to_string(MaximumPixels) + " pixels.";
     return false;
   }
   std::vector<float> values(count * std::max(spec.nchannels, 0));

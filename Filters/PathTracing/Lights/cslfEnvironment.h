@@ -20,6 +20,20 @@
 
 namespace cslf
 {
+class VTKCSLF_EXPORT ImageCurve
+{
+public:
+  /// The curve of a colour space. If the name is empty or does not define the curve, floats are
+  /// linear and integers are sRGB. Primaries are assumed to be those of sRGB.
+  ImageCurve(const std::string& colorSpace, bool isFloat);
+
+  double ToLinear(double value) const;
+
+private:
+  bool IsSRGB = false;
+  double Gamma = 1.0; // if it is not sRGB
+};
+
 /// The environment's axes in the world. `Right` is the world's x axis made perpendicular to `Up`,
 /// as in a vtkRenderer with the default EnvironmentRight.
 struct VTKCSLF_EXPORT EnvironmentAxes

@@ -21,20 +21,20 @@ constexpr int BinCount = 16;
 
 // The most lights that may share a leaf, and the largest cost of a useful split, relative to that
 // of a leaf.
-constexpr std::size_t MostInLeaf = 4;
-constexpr double LeastSplitGain = 0.8;
+constexpr std::size_t MaximumInLeaf = 4;
+constexpr double MinimumSplitGain = 0.8;
 
 // The least squared distance that counts, in scene space.
-constexpr float LeastDistance2 = 1e-12f;
+constexpr float MinimumDistance2 = 1e-12f;
 
 // How far below the horizon rounding may move a light that lies on it, in scene space.
 constexpr float HorizonSlack = 1e-6f;
 
 // The smallest cosine that is used for a surface's light.
-constexpr float LeastCosine = 1e-4f;
+constexpr float MinimumCosine = 1e-4f;
 
 // The smallest power of a light, relative to that of all.
-constexpr double LeastPower = 1e-30;
+constexpr double MinimumPower = 1e-30;
 
 /// The measure of a group that its split should minimise.
 double GetCost(const LightBounds& bounds)
@@ -152,7 +152,7 @@ void LightTree::MakeLeaf(
   for (std::size_t i = range.Begin; i < range.End; ++i)
   {
     const auto share =
-      static_cast<float>(std::max(items[i].Bounds.Power / range.Bounds.Power, LeastPower));
+      static_cast<float>(std::max(items[i].Bounds.Power / range.Bounds.Power, MinimumPower));
     this->Lights[i] = { items[i].Light, share };
     this->Leaves[items[i].Light] = { Width * node + static_cast<std::uint32_t>(part), share };
   }
@@ -237,7 +237,7 @@ std::size_t LightTree::Split(std::vector<Item>& items, const Range& range)
       bestSplit = split;
     }
   }
-  if (end - begin <= MostInLeaf && best >= LeastSplitGain * GetCost(range.Bounds))
+  if (end - begin <= MaximumInLeaf && best >= MinimumSplitGain * GetCost(range.Bounds))
   {
     return end;
   }
@@ -268,7 +268,7 @@ void LightTree::Node::Set(int part, const LightBounds& bounds, double totalPower
   this->HalfSize.Set(part, isEmpty ? glm::vec3(0.0f) : half);
   this->Radius[part] = isEmpty ? 0.0f : glm::length(half);
   this->Power[part] =
-    isEmpty ? 0.0f : static_cast<float>(std::max(bounds.Power / totalPower, LeastPower));
+    isEmpty ? 0.0f : static_cast<float>(std::max(bounds.Power / totalPower, MinimumPower));
   this->Axis.Set(part, bounds.Axis);
   this->CosCone[part] = isCone ? static_cast<float>(std::cos(bounds.Angle)) : -2.0f;
   this->SinCone[part] = isCone ? static_cast<float>(std::sin(bounds.Angle)) : 0.0f;
@@ -294,7 +294,7 @@ double LightTree::Node::FindImportances(
     const float y = this->Center.Y[i] - position.y;
     const float z = this->Center.Z[i] - position.z;
     const float radius2 = this->Radius[i] * this->Radius[i];
-    const float distance2 = std::max(std::max(x * x + y * y + z * z, radius2), LeastDistance2);
+    const float distance2 = std::max(std::max(x * x + y * y + z * z, radius2), MinimumDistance2);
     // How far above the receiver's horizon the lights reach.
     const float height = x * normal.x + y * normal.y + z * normal.z +
       this->HalfSize.X[i] * sides.x + this->HalfSize.Y[i] * sides.y +
@@ -321,7 +321,7 @@ void LightTree::Node::ThinByCones(const glm::vec3& position, Parts<float>& impor
     const float z = position.z - this->Center.Z[i];
     const float distance2 = x * x + y * y + z * z;
     const float radius = this->Radius[i];
-    const float inverse = 1.0f / std::sqrt(std::max(distance2, LeastDistance2));
+    const float inverse = 1.0f / std::sqrt(std::max(distance2, MinimumDistance2));
     // How far the point is beyond the edge of the cone, as seen from the centre ...
     const float towards =
       (x * this->Axis.X[i] + y * this->Axis.Y[i] + z * this->Axis.Z[i]) * inverse;
@@ -334,7 +334,7 @@ void LightTree::Node::ThinByCones(const glm::vec3& position, Parts<float>& impor
     const float sinSphere = std::min(radius * inverse, 1.0f);
     const float cosSphere = std::sqrt(1.0f - sinSphere * sinSphere);
     const float outside =
-      this->Beyond[i] * std::max(cosBeyond * cosSphere + sinBeyond * sinSphere, LeastCosine);
+      this->Beyond[i] * std::max(cosBeyond * cosSphere + sinBeyond * sinSphere, MinimumCosine);
     const float beyond = cosine >= this->CosCone[i] ? 1.0f : outside;
     const float far = cosBeyond >= cosSphere ? 1.0f : beyond;
     importances[i] *= distance2 <= radius * radius ? 1.0f : far;

@@ -233,7 +233,7 @@ float Emitter::GetPdf(const glm::vec3& from, const glm::vec3& direction, float d
 namespace
 {
 // Up to this many lights, a float has enough bits to choose one and a point of it.
-constexpr std::size_t MostForOne = 64;
+constexpr std::size_t MaximumForOne = 64;
 
 /// A number in [0,1) with more bits than the first of a pair, because choosing among many lights
 /// uses up the bits. The added part is below the last bit.
@@ -268,7 +268,7 @@ LocalLights::LocalLights(const std::vector<Mesh>& meshes, const std::vector<Poin
     }
   }
   this->SurfaceCount = this->Emitters.size();
-  if (points.size() <= MostPoints)
+  if (points.size() <= MaximumPoints)
   {
     this->Few = points;
   }
@@ -311,7 +311,7 @@ void LocalLights::AddPoints(const std::vector<PointLight>& points, std::vector<L
 
 LightSample LocalLights::Sample(const LightReceiver& receiver, const glm::vec2& u) const
 {
-  const double x = this->Emitters.size() > MostForOne ? AddBits(u) : double(u.x);
+  const double x = this->Emitters.size() > MaximumForOne ? AddBits(u) : double(u.x);
   const LightTree::Choice choice = this->Tree.Sample(receiver, x);
   if (!(choice.Probability > 0.0))
   {

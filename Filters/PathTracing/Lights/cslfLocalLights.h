@@ -76,7 +76,7 @@ class VTKCSLF_EXPORT LocalLights
 {
 public:
   /// Up to this many point lights are all sampled, without noise but at the cost of one ray each.
-  static constexpr std::size_t MostPoints = 8;
+  static constexpr std::size_t MaximumPoints = 8;
 
   LocalLights() = default;
 

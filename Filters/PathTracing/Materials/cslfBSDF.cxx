@@ -13,7 +13,7 @@ namespace
 {
 // Light through glass with an index closer to 1 than this is refracted by less than a degree at
 // most angles.
-constexpr float SmallestContrast = 1e-2f;
+constexpr float MinimumContrast = 1e-2f;
 
 /// Whether facets reflect in this direction. Otherwise they refract.
 bool IsReflected(const glm::vec3& incident)
@@ -38,7 +38,7 @@ FacetLobe::FacetLobe(const SurfaceMaterial& material, const MaterialPoint& point
   {
     this->Eta = 1.0f / this->Eta;
   }
-  if (std::abs(this->Eta - 1.0f) < SmallestContrast)
+  if (std::abs(this->Eta - 1.0f) < MinimumContrast)
   {
     this->Eta = 1.0f;
   }
@@ -186,7 +186,7 @@ glm::vec3 FacetLobe::Refract(const glm::vec3& facet, float cosine) const
 namespace
 {
 // No lobe that reflects anything is taken less often than this, of it and those after it.
-constexpr float LeastProbability = 0.1f;
+constexpr float MinimumProbability = 0.1f;
 
 template <typename... AllLobes>
 std::tuple<AllLobes...> MakeLobes(const std::tuple<AllLobes...>*, const SurfaceMaterial& material,
@@ -212,7 +212,7 @@ BSDF::BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const gl
     if (others > 0.0f && importances[i] > 0.0f)
     {
       share = std::clamp(
-        importances[i] / (importances[i] + others), LeastProbability, 1.0f - LeastProbability);
+        importances[i] / (importances[i] + others), MinimumProbability, 1.0f - MinimumProbability);
     }
     this->Probabilities[i] = rest * share;
     rest -= this->Probabilities[i];

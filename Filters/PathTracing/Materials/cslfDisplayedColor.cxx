@@ -3,7 +3,6 @@
 #include "cslfDisplayedColor.h"
 
 #include "cslfColor.h"
-#include "vtkCSLFMaterial.h"
 
 #include <array>
 #include <cmath>
@@ -57,13 +56,5 @@ glm::vec3 FromDisplayed(const glm::vec3& displayed)
 {
   static const Table table = MakeTable();
   return { Decode(table, displayed.x), Decode(table, displayed.y), Decode(table, displayed.z) };
-}
-
-glm::vec3 GetDisplayedWhite(vtkDataObject* material)
-{
-  double white[3];
-  vtkCSLFMaterial::GetDisplayedWhite(material, white);
-  const bool isSet = white[0] > 0.0 && white[1] > 0.0 && white[2] > 0.0;
-  return isSet ? glm::vec3(white[0], white[1], white[2]) : glm::vec3(0.0f);
 }
 }

@@ -11,8 +11,6 @@
 
 #include <glm/vec3.hpp>
 
-class vtkDataObject;
-
 namespace cslf
 {
 /// The displayed value of non-negative linear light, by sRGB's transfer function, continued above
@@ -21,9 +19,6 @@ VTKCSLF_EXPORT glm::vec3 ToDisplayed(const glm::vec3& light);
 
 /// The inverse. Up to white it uses a table, which is accurate to 1e-6.
 VTKCSLF_EXPORT glm::vec3 FromDisplayed(const glm::vec3& displayed);
-
-/// The CSLF:DisplayedWhite of a material; 0 in all components unless all are above 0.
-glm::vec3 GetDisplayedWhite(vtkDataObject* material);
 }
 
 #endif

@@ -14,7 +14,7 @@ namespace
 {
 // With a smaller alpha, facets deviate from the normal by less than the precision of floats within
 // a texel: the surface is a mirror.
-constexpr float SmallestAlpha = 1e-3f;
+constexpr float MinimumAlpha = 1e-3f;
 
 // The reflected share of light that leaves at `cosine`: the mean of GGX's sample weights, F G2 /
 // G1.
@@ -102,7 +102,7 @@ float SurfaceMaterial::ToAlpha(float roughness)
 {
   const float clamped = std::clamp(roughness, 0.0f, 1.0f);
   const float alpha = clamped * clamped;
-  return alpha < SmallestAlpha ? 0.0f : alpha;
+  return alpha < MinimumAlpha ? 0.0f : alpha;
 }
 
 SurfaceMaterial::SurfaceMaterial(const glm::vec3& baseColor, float metallic, float roughness,

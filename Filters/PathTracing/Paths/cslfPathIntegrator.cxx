@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathIntegrator.h"
 
-#include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "cslfPathBatch.h"
 #include "cslfPathStep.h"
 
 namespace cslf
 {
+StoredLight::~StoredLight() = default;
+
 PathIntegrator::PathIntegrator(
-  const Scene& scene, const PathSettings& settings, const RadianceCache* cache)
+  const Scene& scene, const PathSettings& settings, const StoredLight* stored)
   : World(scene)
   , Settings(settings)
   , Light(scene, settings.LightSampling, settings.BSDFSampling)
-  , Cache(cache)
+  , Stored(stored)
 {
-  if (cache && cache->IsComplete())
+  if (stored && stored->IsComplete())
   {
     for (const Mesh& mesh : scene.GetMeshes())
     {
@@ -26,12 +27,12 @@ PathIntegrator::PathIntegrator(
 
 bool PathIntegrator::CanLookUp(const Hit& hit) const
 {
-  return !this->LookUps.empty() && this->LookUps[hit.Mesh] && this->Cache->Covers(hit);
+  return !this->LookUps.empty() && this->LookUps[hit.Mesh] && this->Stored->Covers(hit);
 }
 
 glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
 {
-  return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
+  return this->World.GetBaseColor(hit) * this->Stored->Get(hit);
 }
 
 bool PathIntegrator::LookUp(
@@ -42,35 +43,12 @@ bool PathIntegrator::LookUp(
     radiance = this->LookUp(hit);
     return true;
   }
-  if (this->Cache && this->Cache->LookUpShape(ray, hit, radiance))
+  if (this->Stored && this->Stored->LookUpShape(ray, hit, radiance))
   {
     return true;
   }
-  return !this->LookUps.empty() && this->Cache->Covers(hit) &&
-    this->LookUpRough(ray, hit, tolerances, radiance);
-}
-
-bool PathIntegrator::LookUpRough(
-  const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const
-{
-  const IncidentLight* light = this->Cache->GetIncident(hit);
-  if (!light)
-  {
-    return false;
-  }
-  const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
-  const bool isFlat = mesh.Normals.empty() && !mesh.Textures.Normal;
-  const glm::vec3 normal = isFlat ? light->Normal : this->World.GetSurface(ray, hit).ShadingNormal;
-  const glm::vec3 outgoing = -ray.Direction;
-  const float albedo =
-    mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
-  glm::vec3 reflected;
-  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, tolerances, reflected))
-  {
-    return false;
-  }
-  radiance = (1.0f - albedo) * this->LookUp(hit) + reflected;
-  return true;
+  return !this->LookUps.empty() && this->Stored->Covers(hit) &&
+    this->Stored->LookUpRough(ray, hit, tolerances, radiance);
 }
 
 void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const

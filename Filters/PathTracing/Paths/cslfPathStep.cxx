@@ -3,7 +3,6 @@
 #include "cslfPathStep.h"
 
 #include "PathTracing/Materials/cslfLobe.h"
-#include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "SIMD/cslfVectorize.h"
@@ -23,14 +22,14 @@ namespace
 constexpr int RouletteDepth = 3;
 
 // The largest probability of continuing, so that paths between white surfaces end, too.
-constexpr float LargestSurvival = 0.95f;
+constexpr float MaximumSurvival = 0.95f;
 
 /// The probability that a path continues, from its weight without the compression that is undone on
 /// leaving glass.
 inline float GetSurvival(const glm::vec3& beta, float compression)
 {
   const float weight = std::max(std::max(beta.x, beta.y), beta.z) / compression;
-  return std::min(weight, LargestSurvival);
+  return std::min(weight, MaximumSurvival);
 }
 
 // The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
@@ -124,7 +123,7 @@ PathStep::PathStep(const PathIntegrator& paths, const PathBatch& batch, int vert
   , World(paths.World)
   , Settings(paths.Settings)
   , Light(paths.Light)
-  , Cache(paths.Cache)
+  , Stored(paths.Stored)
   , Depth(batch.GetDepth() + vertex)
   , Vertex(static_cast<std::uint32_t>(vertex) + 1)
   , AreAveraged(batch.AreAveraged())
@@ -135,7 +134,7 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
 {
   std::uint64_t rays = 0;
   this->AddEnvironment(paths, hits);
-  if (this->Cache && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
+  if (this->Stored && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
   {
     this->EndWhereKnown(paths, hits);
   }
@@ -147,7 +146,7 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
     {
       this->Points.Lit = paths.Rays.Active;
       this->MakeScattering(paths);
-      this->AddCached(paths, hits);
+      this->AddStored(paths, hits);
       rays = this->AddLight(paths);
       this->ChooseDirections(paths);
       if (this->AreAveraged || this->Depth >= RouletteDepth)
@@ -234,11 +233,11 @@ void PathStep::MakeScattering(const PathPacket& paths)
     });
 }
 
-/// Adds the diffuse light that the cache knows, and excludes it from later steps.
-void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
+/// Adds the diffuse light that is stored, and excludes it from later steps.
+void PathStep::AddStored(const PathPacket& paths, const HitLanes& hits)
 {
   std::fill_n(this->Continues.Values, LaneCount, -1);
-  for (int lane = 0; this->Cache && lane < LaneCount; ++lane)
+  for (int lane = 0; this->Stored && lane < LaneCount; ++lane)
   {
     if (paths.Rays.Active[lane] == 0)
     {
@@ -247,28 +246,28 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
     const Hit hit = hits.Get(lane);
     const bool isLambertian = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
     const BSDF* bsdf = isLambertian ? nullptr : &*this->Points.Scattering[lane];
-    if (this->Cache->GetShapes().Has(hit.Mesh))
+    if (this->Stored->HasShape(hit.Mesh))
     {
       this->AddFit(lane, hit, bsdf, paths);
       continue;
     }
-    if (!this->Cache->Covers(hit) || !(isLambertian || bsdf->Has(Lobes::Diffuse)))
+    if (!this->Stored->Covers(hit) || !(isLambertian || bsdf->Has(Lobes::Diffuse)))
     {
       continue;
     }
     const glm::vec3 albedo =
       isLambertian ? this->Points.Surfaces.BaseColor.Get(lane) : bsdf->GetDiffuse().GetAlbedo();
     this->Found.Set(
-      lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * this->Cache->Get(hit));
+      lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * this->Stored->Get(hit));
     if (isLambertian)
     {
       this->Points.Lit[lane] = 0;
-      this->Continues[lane] = this->Cache->IsComplete() ? 0 : -1;
+      this->Continues[lane] = this->Stored->IsComplete() ? 0 : -1;
       continue;
     }
     this->Points.LitLobes[lane] = Lobes::Specular;
     this->Open[lane] = Lobes::Specular;
-    if (!this->Cache->IsComplete())
+    if (!this->Stored->IsComplete())
     {
       this->ChooseLobes(lane, *bsdf);
     }
@@ -282,7 +281,7 @@ void PathStep::AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPack
   const bool isLit = this->Light.CanSample();
   glm::vec3 light;
   if ((bsdf && (isLit || !bsdf->Has(Lobes::Diffuse))) ||
-    !this->Cache->GetShapes().Get(hit, this->Points.Surfaces.Get(lane), light))
+    !this->Stored->GetShape(hit, this->Points.Surfaces.Get(lane), light))
   {
     return;
   }

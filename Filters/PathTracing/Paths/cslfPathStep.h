@@ -15,7 +15,7 @@ namespace cslf
 {
 class PathBatch;
 class PathIntegrator;
-class RadianceCache;
+class StoredLight;
 struct PathSettings;
 
 /// Advances one packet of paths by one step.
@@ -34,7 +34,7 @@ private:
   void EndWhereKnown(PathPacket& paths, const HitLanes& hits);
   void AddEmission(const PathPacket& paths, const HitLanes& hits);
   void MakeScattering(const PathPacket& paths);
-  void AddCached(const PathPacket& paths, const HitLanes& hits);
+  void AddStored(const PathPacket& paths, const HitLanes& hits);
   void AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPacket& paths);
   void ChooseLobes(int lane, const BSDF& bsdf);
   std::uint64_t AddLight(const PathPacket& paths);
@@ -45,7 +45,7 @@ private:
   const Scene& World;
   const PathSettings& Settings;
   const DirectLight& Light;
-  const RadianceCache* Cache;
+  const StoredLight* Stored;
   int Depth;
   std::uint32_t Vertex;
   bool AreAveraged; // as in PathBatch

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCacheCheck.h"
+
 #include "Pipeline/cslfParallelFor.h"
+#include "cslfRadianceCache.h"
 
 #include "PathTracing/Paths/cslfPathBatch.h"
 #include "Quality/cslfDisplayCurve.h"
@@ -27,7 +29,7 @@ constexpr int SamplesOfHalf = 32;
 constexpr int TexelsOfBatch = PathBatch::Capacity / (Halves * SamplesOfHalf);
 
 // The most texels tried for each wanted one: many may not see a surface.
-constexpr int MostTries = 16;
+constexpr int MaximumTries = 16;
 
 // The use of random numbers.
 constexpr std::uint64_t ChoiceSalt = 0x6368656b;
@@ -107,7 +109,7 @@ std::vector<Seen> ChooseTexels(
   const Scene& scene, const CheckedPicture& picture, const CheckSettings& settings)
 {
   std::vector<Seen> chosen;
-  for (int i = 0; i < MostTries * settings.Texels; ++i)
+  for (int i = 0; i < MaximumTries * settings.Texels; ++i)
   {
     // Random numbers in [0,1) for the slice, the tile and the position in it.
     std::uint64_t bits = MixBits(MixBits(ChoiceSalt, settings.Seed), i);

@@ -18,6 +18,8 @@
 
 namespace cslf
 {
+class RadianceCache;
+
 /// The results of a check. Standard errors include the noise of the paths.
 struct CacheCheck
 {

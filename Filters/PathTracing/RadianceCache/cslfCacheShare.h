@@ -43,15 +43,16 @@ public:
   void Complete(std::vector<Value>& values, std::size_t first)
   {
     static_assert(std::is_trivially_copyable<Value>::value, "it is sent as bytes");
-    for (std::size_t begin = 0; begin < values.size(); begin += MostAtOnce)
+    for (std::size_t begin = 0; begin < values.size(); begin += MaximumAtOnce)
     {
-      this->CompletePart(values, first, begin, std::min(begin + MostAtOnce, values.size()));
+      this->CompletePart(values, first, begin, std::min(begin + MaximumAtOnce, values.size()));
     }
   }
 
 private:
   static constexpr std::size_t DealtPoints = 4;
-  static constexpr std::size_t MostAtOnce = std::size_t(1) << 20; // because MPI counts bytes in int
+  static constexpr std::size_t MaximumAtOnce = std::size_t(1)
+    << 20; // because MPI counts bytes in int
 
   template <typename Value>
   void CompletePart(

@@ -36,11 +36,11 @@ constexpr float ThinLength = 4.0f;
 constexpr std::size_t PointsOfChart = 4;
 
 // The least cosine between the normal of a chart and those of its triangles.
-constexpr float LeastCosine = 0.8f;
+constexpr float MinimumCosine = 0.8f;
 
 // The most triangles at an edge among which neighbours are looked for: where thousands meet, each
 // would otherwise look at all others.
-constexpr std::ptrdiff_t MostAtEdge = 16;
+constexpr std::ptrdiff_t MaximumAtEdge = 16;
 
 // The smallest cosine between shading normals of adjacent triangles. Those of small triangles are
 // not resolved.
@@ -310,7 +310,7 @@ private:
         auto other = std::lower_bound(this->Edges.begin(), this->Edges.end(), key,
           [](const MeshEdge& candidate, const MeshEdge& value)
           { return candidate.IsBefore(value); });
-        const auto end = other + std::min(MostAtEdge, this->Edges.end() - other);
+        const auto end = other + std::min(MaximumAtEdge, this->Edges.end() - other);
         for (; other != end && other->IsAlong(key); ++other)
         {
           if (!this->IsTaken[other->Triangle] && this->IsSmooth(facet, edge, other->Triangle))
@@ -361,7 +361,7 @@ private:
   void Take(std::uint32_t index)
   {
     const Facet& facet = this->Facets[index];
-    if (glm::dot(facet.Normal, this->Axes.Z) < LeastCosine)
+    if (glm::dot(facet.Normal, this->Axes.Z) < MinimumCosine)
     {
       return;
     }

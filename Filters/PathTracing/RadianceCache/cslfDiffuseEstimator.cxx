@@ -32,7 +32,7 @@ constexpr float NearShare = 1.0f / 32.0f;
 constexpr float NearShareOfSmooth = 1.0f / 8.0f;
 
 // Points in a small area may have this many times the acceptable noise each.
-constexpr float MostNoise = 4.0f;
+constexpr float MaximumNoise = 4.0f;
 
 // The points after which the work may be stopped: about a second's.
 constexpr vtkIdType PointsAtOnce = 8192;
@@ -324,7 +324,7 @@ bool DiffuseEstimator::IsEnough(const SurfacePoint& point, const HalfEstimate& p
   const float together = std::sqrt(this->Limits.NoiseArea / std::max(point.Area, 1e-30f));
   const glm::vec3 color = this->World.GetBaseColor(point.Place);
   return GetDisplayedError(this->Limits.Display, pilot.Pilot, error, color) <
-    this->Limits.Noise * std::clamp(together, 1.0f, MostNoise);
+    this->Limits.Noise * std::clamp(together, 1.0f, MaximumNoise);
 }
 
 std::uint64_t DiffuseEstimator::SampleLights(const Range& range, Progress& progress) const

@@ -57,11 +57,13 @@ public:
     std::function<bool(const Ray&, const Hit&)> IsInside;
   };
 
-  DiffuseEstimator(const Scene& scene, const PathIntegrator& paths, Settings settings)
+  /// The paths end at the light of the cache, if there is one.
+  DiffuseEstimator(
+    const Scene& scene, const PathIntegrator& paths, const RadianceCache* cache, Settings settings)
     : World(scene)
     , Paths(paths)
     , Limits(std::move(settings))
-    , Known(scene, this->Limits.Depth < paths.GetMaximumDepth() ? paths.GetCache() : nullptr)
+    , Known(scene, this->Limits.Depth < paths.GetMaximumDepth() ? cache : nullptr)
     , Directions(this->Limits.FirstSamples / 2)
     , Batches(PathBatch(this->Limits.Depth, true))
   {

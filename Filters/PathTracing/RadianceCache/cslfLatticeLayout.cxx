@@ -17,7 +17,7 @@ constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
 constexpr float SpacingGrowth = 1.5f;
 
 // The largest spacing, of a scene whose radius is 1.
-constexpr float LargestSpacing = 0.5f;
+constexpr float MaximumSpacing = 0.5f;
 
 // The size of clusters of vertices, in spacings. The point of a cluster lies anywhere in it.
 constexpr float ClusterSize = 0.5f;
@@ -38,7 +38,7 @@ LatticeLayout::LatticeLayout(
     this->FirstTriangles.push_back(scene.GetTriangleIndex(mesh, 0));
   }
   this->Divide(scene, sides, progress);
-  while (this->CountFurtherBricks() > MaximumBricks && this->Spacing < LargestSpacing)
+  while (this->CountFurtherBricks() > MaximumBricks && this->Spacing < MaximumSpacing)
   {
     this->Spacing *= SpacingGrowth;
     this->Divide(scene, sides, progress);
@@ -59,7 +59,7 @@ void LatticeLayout::Divide(
     {
       progress.Step();
       this->Depths.push_back(
-        static_cast<std::uint8_t>(FindDepth(mesh.GetLongestEdge(i), this->Spacing, LargestDepth)));
+        static_cast<std::uint8_t>(FindDepth(mesh.GetLongestEdge(i), this->Spacing, MaximumDepth)));
     }
   }
   ChartSettings settings;

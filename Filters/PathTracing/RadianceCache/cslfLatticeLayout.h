@@ -30,7 +30,7 @@ public:
   static constexpr int BrickLevels = 4;
 
   /// The finest points along a triangle's or chart's edges, as a binary logarithm.
-  static constexpr int LargestDepth = 12;
+  static constexpr int MaximumDepth = 12;
 
   /// The smallest distance between points, in scene space: it is larger than requested if the scene
   /// would need too many bricks.

@@ -31,15 +31,15 @@ constexpr std::size_t RunLength = 32;
 constexpr double FirstShare = 1.0 / 256;
 
 // The fewest bricks of a step, so that all threads have work.
-constexpr std::size_t FewestBricks = 512;
+constexpr std::size_t MinimumBricks = 512;
 
 // A pass is built completely if this takes at most this many times the time of the probe. For all
 // others, this share of the expected time is enough.
-constexpr double MostTimes = 2.5;
+constexpr double MaximumTimes = 2.5;
 constexpr double EnoughShare = 0.025;
 
 // The number of bricks whose points are counted. More batches would give the same result.
-constexpr std::size_t MostCounted = std::size_t(1) << 19;
+constexpr std::size_t MaximumCounted = std::size_t(1) << 19;
 constexpr std::size_t CountedRun = std::size_t(1) << 14;
 
 // The number of nearest points for an estimate.
@@ -147,7 +147,7 @@ struct FirstCounts
 FirstCounts CountAll(LatticeBuilder& builder, const LatticeBuilder::Progress& goOn)
 {
   const double share =
-    std::min(1.0, static_cast<double>(MostCounted) / builder.GetNumberOfBricks());
+    std::min(1.0, static_cast<double>(MaximumCounted) / builder.GetNumberOfBricks());
   std::size_t all = 0;
   std::size_t counted = 0;
   std::size_t points = 0;
@@ -184,7 +184,7 @@ double ProbeLattice(
   double elapsed = 0.0;
   double done = 0.0;
   std::size_t built = 0;
-  const double least = static_cast<double>(FewestBricks) / all.Bricks;
+  const double least = static_cast<double>(MinimumBricks) / all.Bricks;
   for (double share = std::max(FirstShare, least); done < 1.0; share *= 2.0)
   {
     const auto start = Clock::now();
@@ -212,7 +212,7 @@ double ProbeLattice(
     const double points = builder.GetNumberOfEstimates();
     expected =
       points > 0.0 ? elapsed / points * (all.Points + further / std::max(parts, 1e-9)) : 0.0;
-    if (built > 0 && expected > MostTimes * seconds &&
+    if (built > 0 && expected > MaximumTimes * seconds &&
       elapsed > std::min(seconds, EnoughShare * expected))
     {
       break;

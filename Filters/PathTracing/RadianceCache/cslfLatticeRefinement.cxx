@@ -33,10 +33,10 @@ constexpr float SureErrors = 3.0f;
 // degrees, and at least at this share of their distance.
 constexpr float StraightCosine = 0.5f;
 constexpr float ShortestBack = 0.25f;
-constexpr float LeastLength = 1e-30f;
+constexpr float MinimumLength = 1e-30f;
 
 /// The largest component's size.
-float LargestSize(const glm::vec3& difference)
+float MaximumSize(const glm::vec3& difference)
 {
   const glm::vec3 size = glm::abs(difference);
   return std::max({ size.x, size.y, size.z });
@@ -119,7 +119,7 @@ bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int s
   }
   const glm::vec3 color = this->World.GetBaseColor(this->Points[point].Place);
   const glm::vec3 seen = this->Settings.Display(interpolated, color);
-  const float error = LargestSize(this->Settings.Display(here.Pilot, color) - seen);
+  const float error = MaximumSize(this->Settings.Display(here.Pilot, color) - seen);
   if (error <= this->Settings.Tolerance)
   {
     return false;
@@ -141,7 +141,7 @@ bool LatticeBuilder::VariesWithin(const Patch& patch) const
     {
       const HalfEstimate& pilot = this->GetPilot(patch, index);
       const bool varies = pilot.Reach < size ||
-        LargestSize(this->Settings.Display(pilot.Pilot, color) - seen) > this->Settings.Tolerance;
+        MaximumSize(this->Settings.Display(pilot.Pilot, color) - seen) > this->Settings.Tolerance;
       return (isCoarse && varies) ||
         this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size);
     });
@@ -190,7 +190,7 @@ bool LatticeBuilder::BendsWithin(const Patch& patch) const
     const glm::vec3 mean = 0.5f * (pilot.Pilot + other.Pilot);
     const glm::vec3 color = this->World.GetBaseColor(this->Points[here].Place);
     const glm::vec3 seen = this->Settings.Display(mean, color);
-    const float error = LargestSize(this->Settings.Display(mean + bend, color) - seen);
+    const float error = MaximumSize(this->Settings.Display(mean + bend, color) - seen);
     const float noise =
       GetDisplayedError(this->Settings.Display, mean, SureErrors * glm::sqrt(variance), color);
     if (error > this->Settings.Tolerance + noise)
@@ -216,7 +216,7 @@ bool LatticeBuilder::FindBend(int half, std::uint32_t from, std::uint32_t to, Be
     const std::uint32_t candidate = this->FirstPoints[*other];
     const glm::vec3 back = this->GetPosition(this->Points[candidate]) - place;
     const float backLength = glm::length(back);
-    const float cosine = -glm::dot(way, back) / std::max(length * backLength, LeastLength);
+    const float cosine = -glm::dot(way, back) / std::max(length * backLength, MinimumLength);
     if (cosine > best && backLength > ShortestBack * length)
     {
       best = cosine;

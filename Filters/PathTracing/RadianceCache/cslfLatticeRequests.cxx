@@ -47,11 +47,11 @@ inline ChartNeighbours FindChartNeighbours(int index, int step, int cell, int la
 // The distance of points from a triangle's edges, relative to the finest spacing, so that they do
 // not lie on an adjacent surface and see what is behind it.
 constexpr float Inset = 0.05f;
-constexpr float LargestInset = 0.1f;
+constexpr float MaximumInset = 0.1f;
 
 // The bits where the key's parts begin: the triangle or chart and its side, and the two
 // coordinates.
-constexpr int RowShift = LatticeLayout::LargestDepth + ExtraLevels + 1;
+constexpr int RowShift = LatticeLayout::MaximumDepth + ExtraLevels + 1;
 constexpr int SideShift = 2 * RowShift;
 constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
 constexpr std::uint64_t MeanKey = std::uint64_t(1) << 62;
@@ -216,7 +216,7 @@ std::uint32_t LatticeBuilder::AddPoint(
   constexpr float third = 1.0f / 3.0f;
   const float edge = this->World.GetMeshes()[patch.Mesh].GetLongestEdge(place.Triangle);
   const float inset = Inset * this->Layout.GetSpacing() / (1 << ExtraLevels);
-  const float keep = 1.0f - std::min(LargestInset, inset / edge);
+  const float keep = 1.0f - std::min(MaximumInset, inset / edge);
   Point point;
   point.Key = key;
   point.Place.Mesh = patch.Mesh;

@@ -35,7 +35,7 @@ constexpr int FineSmallLevels = 1;
 // The paths of a cell of a shape that is only seen by other points; and of one that is seen
 // directly, at least. Each fit has several factors, so it needs more than a point of a lattice.
 constexpr int RoughShapeSamples = 32;
-constexpr int FewestShapeSamples = 128;
+constexpr int MinimumShapeSamples = 128;
 
 // The paths on shapes from which the time for all is estimated.
 constexpr std::uint64_t ProbedPaths = 100000;
@@ -151,7 +151,7 @@ bool RadianceCache::FillLayout(const Progress& goOn)
   }
   const bool isHasty = this->Settings.Samples <= RoughSamples;
   if (!this->EstimateShapes(
-        isHasty ? FewestShapeSamples : RoughShapeSamples, Within(goOn, done, done + RoughShare)))
+        isHasty ? MinimumShapeSamples : RoughShapeSamples, Within(goOn, done, done + RoughShare)))
   {
     return false;
   }
@@ -176,7 +176,7 @@ bool RadianceCache::FillLayout(const Progress& goOn)
   this->HasSecond = true;
   this->Complete = true;
   // Then accurately, with paths that end at the first surface.
-  const int samples = std::max(this->Settings.Samples / 2, FewestShapeSamples);
+  const int samples = std::max(this->Settings.Samples / 2, MinimumShapeSamples);
   if (!this->EstimateShapes(samples, Within(goOn, done, done + ShapeShare)))
   {
     return false;
@@ -253,7 +253,7 @@ bool RadianceCache::EstimateShapes(int samples, const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   ShapeLight::Settings settings{ samples, this->Settings.Seed, 0, this->Settings.Share,
     this->GetInsideTest() };
-  settings.MostPaths = this->Settings.ProbeSeconds > 0.0 ? ProbedPaths : 0;
+  settings.MaximumPaths = this->Settings.ProbeSeconds > 0.0 ? ProbedPaths : 0;
   const std::uint64_t before = this->Shapes.GetNumberOfRays();
   const bool done = this->Shapes.Estimate(this->World, paths, settings, goOn);
   this->Rays += this->Shapes.GetNumberOfRays() - before;
@@ -277,6 +277,37 @@ void RadianceCache::Get(LatticePacket& packet) const
       packet.Blue[lane] += second.Blue[lane];
     }
   }
+}
+
+const IncidentLight* RadianceCache::GetIncident(const Hit& hit) const
+{
+  return this->Lobes[hit.Mesh].IsKnown()
+    ? this->Incident.Get(this->Values.FindRoot(
+        this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back, hit.U, hit.V))
+    : nullptr;
+}
+
+bool RadianceCache::LookUpRough(
+  const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const
+{
+  const IncidentLight* light = this->GetIncident(hit);
+  if (!light)
+  {
+    return false;
+  }
+  const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
+  const bool isFlat = mesh.Normals.empty() && !mesh.Textures.Normal;
+  const glm::vec3 normal = isFlat ? light->Normal : this->World.GetSurface(ray, hit).ShadingNormal;
+  const glm::vec3 outgoing = -ray.Direction;
+  const float albedo =
+    mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
+  glm::vec3 reflected;
+  if (!this->GetReflected(hit, *light, normal, outgoing, albedo, tolerances, reflected))
+  {
+    return false;
+  }
+  radiance = (1.0f - albedo) * (this->World.GetBaseColor(hit) * this->Get(hit)) + reflected;
+  return true;
 }
 
 bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
@@ -347,7 +378,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   // The area is 0, so that each point has little noise by itself, however small its own area is:
   // differences between the values of points decide where the edges of sharp shadows are refined.
   constexpr float noiseArea = 0.0f;
-  DiffuseEstimator estimator(this->World, paths,
+  DiffuseEstimator estimator(this->World, paths, this,
     { DiffuseEstimator::Light::Sampled, FirstLightSamples,
       std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance,
       noiseArea, 0, this->Settings.Seed, lattice.Display, {}, this->Settings.Share,
@@ -367,7 +398,7 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   int depth, SurfaceLattice& values, IncidentField& incident, const Progress& goOn)
 {
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
-  DiffuseEstimator estimator(this->World, paths,
+  DiffuseEstimator estimator(this->World, paths, this,
     { DiffuseEstimator::Light::Gathered, firstSamples, std::max(firstSamples, lastSamples),
       NoiseShare * lattice.Tolerance, this->GetNoiseArea(), depth, this->Settings.Seed,
       lattice.Display, this->Lobes, this->Settings.Share, this->GetInsideTest() });

@@ -61,7 +61,7 @@ struct CacheSettings
   CacheShare* Share = nullptr;
 };
 
-class VTKCSLF_EXPORT RadianceCache
+class VTKCSLF_EXPORT RadianceCache final : public StoredLight
 {
 public:
   RadianceCache(const Scene& scene, const CacheSettings& settings);
@@ -71,14 +71,14 @@ public:
 
   /// Whether the cache covers a surface with a lattice. It does not cover the insides of closed
   /// bodies. For spheres, tubes and instances, see GetShapes.
-  bool Covers(const Hit& hit) const
+  bool Covers(const Hit& hit) const override
   {
     return this->World.GetMeshes()[hit.Mesh].CanHoldLattice() &&
       this->Sides.Has(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
   }
 
   /// The diffuse radiance of a covered surface point, if it were white.
-  glm::vec3 Get(const Hit& hit) const
+  glm::vec3 Get(const Hit& hit) const override
   {
     const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);
     const glm::vec3 value = this->Values.Get(triangle, hit.Back, hit.U, hit.V);
@@ -88,31 +88,23 @@ public:
   /// The same for a packet.
   void Get(LatticePacket& packet) const;
 
-  /// The light that arrives at a covered surface. Null if unknown.
-  const IncidentLight* GetIncident(const Hit& hit) const
-  {
-    return this->Lobes[hit.Mesh].IsKnown()
-      ? this->Incident.Get(this->Values.FindRoot(
-          this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back, hit.U, hit.V))
-      : nullptr;
-  }
+  bool LookUpRough(
+    const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const override;
 
-  /// The light reflected by the specular lobe of a dielectric, given its albedo. False if its
-  /// displayed error, in addition to diffuse light, may exceed this many tolerances.
-  bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
-    const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
-
+  ///@{
   /// The light of spheres, tubes and instances.
   const ShapeLight& GetShapes() const { return this->Shapes; }
-
-  /// The radiance along a ray from its hit on such a shape. False if its light is unknown, or is
-  /// not all that determines the radiance.
-  bool LookUpShape(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+  bool HasShape(std::uint32_t mesh) const override { return this->Shapes.Has(mesh); }
+  bool GetShape(const Hit& hit, const SurfaceHit& surface, glm::vec3& light) const override
+  {
+    return this->Shapes.Get(hit, surface, light);
+  }
+  bool LookUpShape(const Ray& ray, const Hit& hit, glm::vec3& radiance) const override;
+  ///@}
 
   const OpenSides& GetSides() const { return this->Sides; }
 
-  /// Whether the values contain all light, or only light sampled at its sources.
-  bool IsComplete() const { return this->Complete; }
+  bool IsComplete() const override { return this->Complete; }
 
   std::size_t GetNumberOfValues() const
   {
@@ -153,6 +145,14 @@ private:
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
+
+  /// The light that arrives at a covered surface. Null if unknown.
+  const IncidentLight* GetIncident(const Hit& hit) const;
+
+  /// The light reflected by the specular lobe of a dielectric, given its albedo. False if its
+  /// displayed error, in addition to diffuse light, may exceed this many tolerances.
+  bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
+    const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
 
   /// Whether a ray hits the inside of a closed body without light: see OpenSides::IsInside.
   bool IsInside(const Ray& ray, const Hit& hit) const;

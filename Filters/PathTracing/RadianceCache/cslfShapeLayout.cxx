@@ -27,16 +27,16 @@ constexpr float EdgeOfCell = 4.0f;
 constexpr float EdgeGrowth = 1.2f;
 
 // The most cells of a shape along an axis.
-constexpr float MostAlong = 32.0f;
+constexpr float MaximumAlong = 32.0f;
 
 // A grid may have this many times the cells that its surface needs, and some more: enough for a
 // disc of any orientation, but not for a line.
-constexpr float MostShare = 32.0f;
-constexpr float MostMore = 8.0f;
+constexpr float MaximumShare = 32.0f;
+constexpr float MaximumAdded = 8.0f;
 
 // The most cells into which shapes are divided, besides one for each: the cost must stay small
 // where the spacing is much finer than most light.
-constexpr std::uint64_t MostDivided = std::uint64_t(1) << 16;
+constexpr std::uint64_t MaximumDivided = std::uint64_t(1) << 16;
 
 constexpr std::uint8_t Front = 1;
 constexpr std::uint8_t Back = 2;
@@ -244,8 +244,8 @@ void ShapeLayout::AddUnits(
     boxes[unit].Add(item.Box);
     this->Units[unit].Area += item.Area;
   }
-  std::uint64_t divided = MostDivided + 1;
-  for (float edge = EdgeOfCell * spacing; divided > MostDivided; edge *= EdgeGrowth)
+  std::uint64_t divided = MaximumDivided + 1;
+  for (float edge = EdgeOfCell * spacing; divided > MaximumDivided; edge *= EdgeGrowth)
   {
     progress.Step(boxes.size());
     this->Divide(boxes, edge);
@@ -274,10 +274,10 @@ void ShapeLayout::Divide(const std::vector<Bounds>& boxes, float edge)
     unit.Cells = glm::uvec3(1u);
     if (size > 1.5f * edge)
     {
-      const glm::vec3 cells = glm::ceil(sizes / std::max(edge, size / MostAlong));
-      unit.Cells = glm::uvec3(glm::clamp(cells, 1.0f, MostAlong));
+      const glm::vec3 cells = glm::ceil(sizes / std::max(edge, size / MaximumAlong));
+      unit.Cells = glm::uvec3(glm::clamp(cells, 1.0f, MaximumAlong));
       const float needed = unit.Area / (edge * edge);
-      if (static_cast<float>(unit.GetNumberOfCells()) > MostShare * needed + MostMore)
+      if (static_cast<float>(unit.GetNumberOfCells()) > MaximumShare * needed + MaximumAdded)
       {
         for (int axis = 0; axis < 3; ++axis)
         {

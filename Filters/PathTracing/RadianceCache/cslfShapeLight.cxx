@@ -25,7 +25,7 @@ namespace
 constexpr double Stiffness = 2.0;
 
 // The fewest samples of a cell.
-constexpr int FewestSamples = 16;
+constexpr int MinimumSamples = 16;
 
 // The samples after which the work may be stopped: about a second's.
 constexpr std::uint64_t SamplesAtOnce = std::uint64_t(1) << 20;
@@ -68,7 +68,7 @@ struct Moments
   ShapeFit Solve() const
   {
     ShapeFit fit;
-    if (this->Products[0][0] < FewestSamples)
+    if (this->Products[0][0] < MinimumSamples)
     {
       return fit;
     }
@@ -353,7 +353,7 @@ bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const
 {
   double part = 1.0;
   const std::vector<std::uint64_t> ends =
-    CountSamples(this->Layout.GetUnits(), settings.Samples, settings.MostPaths, part);
+    CountSamples(this->Layout.GetUnits(), settings.Samples, settings.MaximumPaths, part);
   const std::uint64_t count = ends.empty() ? 0 : ends.back();
   Sampler sampler(scene, paths, this->Layout, settings);
   Fitting fitting(this->Layout, ends);

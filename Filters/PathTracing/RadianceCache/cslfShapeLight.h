@@ -63,8 +63,8 @@ public:
   {
     int Samples = 256; ///< paths of a cell
     std::uint32_t Seed = 0;
-    std::uint64_t MostPaths = 0; ///< if not 0, only shapes with about so many are estimated
-    CacheShare* Share = nullptr; ///< the ranks that estimate together; null for this one alone
+    std::uint64_t MaximumPaths = 0; ///< if not 0, only shapes with about so many are estimated
+    CacheShare* Share = nullptr;    ///< the ranks that estimate together; null for this one alone
 
     /// Whether what a ray hits is the inside of a closed body without light, as in
     /// OpenSides::IsInside. Samples that see such hits do not count. May be empty.

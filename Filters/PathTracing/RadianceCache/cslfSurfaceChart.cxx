@@ -23,7 +23,7 @@ constexpr float Touch = 1e-4f;
 constexpr float RowMargin = 4.0f * Touch;
 
 // The smallest extent of a chart relative to the other one: a chart must have an area.
-constexpr float LeastAspect = 1e-6f;
+constexpr float MinimumAspect = 1e-6f;
 
 struct Range
 {
@@ -141,10 +141,10 @@ SurfaceChart::Rectangle SurfaceChart::FindRectangle(
     }
   }
   Rectangle result{ low, high - low, {} };
-  const float least = LeastAspect * std::max({ result.Size.x, result.Size.y, 1e-6f });
+  const float least = MinimumAspect * std::max({ result.Size.x, result.Size.y, 1e-6f });
   result.Size = glm::max(result.Size, glm::vec2(least));
   const auto countCells = [cellSize](float size)
-  { return std::clamp(static_cast<int>(std::ceil(size / cellSize)), 1, MostCells); };
+  { return std::clamp(static_cast<int>(std::ceil(size / cellSize)), 1, MaximumCells); };
   result.Cells = { countCells(result.Size.x), countCells(result.Size.y) };
   return result;
 }

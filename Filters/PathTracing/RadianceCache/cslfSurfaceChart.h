@@ -35,7 +35,7 @@ public:
   };
 
   /// The largest number of cells along each side of a chart.
-  static constexpr int MostCells = 256;
+  static constexpr int MaximumCells = 256;
 
   /// Where the members lie.
   struct Rectangle
@@ -49,7 +49,7 @@ public:
   static Rectangle FindRectangle(const std::vector<Member>& members, float cellSize);
 
   /// A chart of at least one triangle of a mesh. The members' corners may have any offset. Cells
-  /// are at most as wide as given, unless the chart is wider than MostCells of them.
+  /// are at most as wide as given, unless the chart is wider than MaximumCells of them.
   SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize);
 
   std::uint32_t GetMesh() const { return this->Mesh; }

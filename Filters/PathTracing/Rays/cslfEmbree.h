@@ -35,7 +35,7 @@ using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Embre
 enum class Passing
 {
   ByChance,  ///< passes with the probability given by the opacity
-  ByOpacity, ///< passes if the opacity is below the query's LeastOpacity
+  ByOpacity, ///< passes if the opacity is below the query's MinimumOpacity
   Attenuated ///< passes, and its light is attenuated; only in occlusion queries
 };
 
@@ -50,7 +50,7 @@ struct EmbreeQuery
 {
   EmbreeContext Context; // first, because filters get a pointer to it
   Passing Rule;
-  float LeastOpacity = 0.0f;
+  float MinimumOpacity = 0.0f;
   RTCRayHit16* Veils = nullptr;   // gets the last hit that each ray passes, by its id
   float* Transmittance = nullptr; // of the rays by their id, if they are attenuated
   bool* MeetsVeils = nullptr;     // set if an opacity is neither 0 nor 1

@@ -164,7 +164,7 @@ void RefusePassed(const RTCFilterFunctionNArguments* query)
         met = GetChance(query, lane) < opacity;
         break;
       case Passing::ByOpacity:
-        met = opacity >= rule.LeastOpacity;
+        met = opacity >= rule.MinimumOpacity;
         if (rule.Veils && !met && opacity > 0.0f)
         {
           KeepLast(query, lane, *rule.Veils);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The primary rays of a tile of texels.
+ * The primary rays of a tile of texels, and the space of the scene that they are traced in.
  */
 #ifndef cslfRayGrid_h
 #define cslfRayGrid_h
@@ -10,6 +10,8 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Shapes/cslfBox.h"
+#include "cslfCube.h"
+#include "cslfLayout.h"
 #include "cslfRayPacket.h"
 
 #include <glm/vec2.hpp>
@@ -17,6 +19,19 @@
 
 namespace cslf
 {
+/// The similarity between world and scene space.
+struct SceneFrame
+{
+  glm::dvec3 Center{ 0.0 };
+  double Radius = 1.0;
+
+  glm::dvec3 PointToScene(const glm::dvec3& pointWC) const
+  {
+    return (pointWC - this->Center) / this->Radius;
+  }
+  glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
+};
+
 /**
  * The rays of a tile of texels, in scene space. Origin and direction vary linearly with the
  * position, which is in texels from the tile's first corner: this covers the faces of a cube seen
@@ -49,6 +64,14 @@ VTKCSLF_EXPORT void SetRays(const RayGrid& grid, const float x[RayPacket::Size],
 /// if none does.
 VTKCSLF_EXPORT bool MayMeet(
   const RayGrid& grid, const glm::dvec2& low, const glm::dvec2& high, const Box& box);
+
+/// The rays from a slice's viewpoint to the texels of one of its tiles, in the space of a scene of
+/// that frame. Their parameter is 1 on the exit face.
+VTKCSLF_EXPORT RayGrid MakeFieldRays(
+  const Layout& layout, const Cube& box, const SceneFrame& frame, int slice, int tile);
+
+/// The rays of one texel of these, as `cells` x `cells` texels that share its area.
+VTKCSLF_EXPORT RayGrid MakeTexelRays(const RayGrid& tile, int x, int y, int cells);
 }
 
 #endif

@@ -76,7 +76,7 @@ struct RayPacket
 
   /// If above 0, surfaces count exactly where their opacity is at least this. Used for depths, so
   /// that they do not depend on chance.
-  float LeastOpacity = 0.0f;
+  float MinimumOpacity = 0.0f;
 
   /// Whether Scene::Intersect met a surface that rays pass at random.
   bool MeetsVeils = false;

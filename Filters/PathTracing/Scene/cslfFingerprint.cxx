@@ -17,7 +17,7 @@ namespace cslf
 namespace
 {
 /// MD5 takes its input in parts, whose size is an int.
-constexpr std::size_t LargestPiece = std::size_t(1) << 30;
+constexpr std::size_t MaximumPiece = std::size_t(1) << 30;
 
 constexpr int DigitCount = 32;
 
@@ -61,10 +61,10 @@ Fingerprint::~Fingerprint() = default;
 void Fingerprint::AddBytes(const void* bytes, std::size_t count)
 {
   const auto* begin = static_cast<const unsigned char*>(bytes);
-  for (std::size_t done = 0; done < count; done += LargestPiece)
+  for (std::size_t done = 0; done < count; done += MaximumPiece)
   {
     vtksysMD5_Append(
-      this->Hash->MD5, begin + done, static_cast<int>(std::min(LargestPiece, count - done)));
+      this->Hash->MD5, begin + done, static_cast<int>(std::min(MaximumPiece, count - done)));
   }
 }
 

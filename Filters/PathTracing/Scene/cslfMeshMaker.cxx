@@ -38,7 +38,7 @@ constexpr std::uint32_t Unused = 0xffffffffu;
 
 // The smallest radius of a tube's end, relative to the other end. Tubes may end in a point, but
 // divisions need a radius above 0.
-constexpr double SmallestEnd = 1e-4;
+constexpr double MinimumEnd = 1e-4;
 
 /// The normal of a point, of unit length, or of length 0 if it has none.
 glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
@@ -239,7 +239,7 @@ private:
       {
         this->Points.push_back(part.Points[i]);
         this->Result.Vertices.push_back(this->ToMesh(part.Points[i]));
-        const double radius = std::max(radii[i], SmallestEnd * radii[1 - i]);
+        const double radius = std::max(radii[i], MinimumEnd * radii[1 - i]);
         this->Result.Radii.push_back(static_cast<float>(radius / this->Frame.Radius));
       }
       this->Cells.push_back(part.Cell);

@@ -446,8 +446,8 @@ void Scene::Trace(RayPacket& packet, RTCRayHit16* veils) const
 {
   alignas(64) int valid[RayPacket::Size];
   PrepareQuery(packet.Query, packet.Active, valid);
-  EmbreeQuery rule(packet.LeastOpacity > 0.0f ? Passing::ByOpacity : Passing::ByChance);
-  rule.LeastOpacity = packet.LeastOpacity;
+  EmbreeQuery rule(packet.MinimumOpacity > 0.0f ? Passing::ByOpacity : Passing::ByChance);
+  rule.MinimumOpacity = packet.MinimumOpacity;
   rule.Veils = veils;
   packet.MeetsVeils = false;
   rule.MeetsVeils = &packet.MeetsVeils;

@@ -14,6 +14,7 @@
 #include "PathTracing/Lights/cslfLocalLights.h"
 #include "PathTracing/Lights/cslfPointLight.h"
 #include "PathTracing/Rays/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfBox.h"
 #include "PathTracing/Shapes/cslfMesh.h"
@@ -31,19 +32,6 @@ namespace cslf
 struct HitLanes;
 struct RayLanes;
 struct ShadowLanes;
-
-/// The similarity between world and scene space.
-struct SceneFrame
-{
-  glm::dvec3 Center{ 0.0 };
-  double Radius = 1.0;
-
-  glm::dvec3 PointToScene(const glm::dvec3& pointWC) const
-  {
-    return (pointWC - this->Center) / this->Radius;
-  }
-  glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
-};
 
 /// The lights other than emissive surfaces.
 struct LightSet
@@ -69,7 +57,7 @@ public:
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
-  /// The same with the packet's LeastOpacity. If it meets veils, `veils` gets its rays and, where
+  /// The same with the packet's MinimumOpacity. If it meets veils, `veils` gets its rays and, where
   /// one hits nothing, the last surface that this ray passes; otherwise it has no hits.
   void Intersect(RayPacket& packet, RayPacket& veils) const;
 

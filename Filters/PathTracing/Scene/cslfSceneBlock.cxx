@@ -26,10 +26,10 @@ namespace cslf
 namespace
 {
 // Instances with a smaller volume, relative to the cube of their extent, are flat.
-constexpr double SmallestVolume = 1e-12;
+constexpr double MinimumVolume = 1e-12;
 
 // The tracer computes in floats.
-constexpr double LargestRadiance = 1e30;
+constexpr double RadianceLimit = 1e30;
 
 /// The array of points' own radii, or null.
 vtkDataArray* FindRadii(const SceneBlock& block)
@@ -60,7 +60,7 @@ bool HasExtent(const glm::dmat4& matrix)
   const glm::dmat3 linear(matrix);
   const double size =
     std::max({ glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2]) });
-  return std::abs(glm::determinant(linear)) > SmallestVolume * size * size * size;
+  return std::abs(glm::determinant(linear)) > MinimumVolume * size * size * size;
 }
 
 void ReadColor(vtkDataArray* colors, vtkIdType index, BlockInstance& instance)
@@ -78,7 +78,7 @@ glm::vec3 GetRadiance(vtkDataArray* array, vtkIdType tuple)
   for (int i = 0; i < 3; ++i)
   {
     const double value = array->GetComponent(tuple, i);
-    radiance[i] = value > 0.0 && value < LargestRadiance ? static_cast<float>(value) : 0.0f;
+    radiance[i] = value > 0.0 && value < RadianceLimit ? static_cast<float>(value) : 0.0f;
   }
   return radiance;
 }

@@ -3,16 +3,16 @@
 #include "cslfSceneBuilder.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
-#include "PathTracing/Materials/cslfMaterialProblems.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfValidPolyData.h"
+#include "SceneData/cslfMaterialProblems.h"
+#include "SceneData/cslfTextureImage.h"
 #include "cslfColor.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
 #include "cslfMeshJoin.h"
 #include "cslfMeshMaker.h"
-#include "cslfOldNames.h"
 #include "cslfPointSpacing.h"
 #include "cslfSceneBlock.h"
 #include "cslfSurfaceColors.h"
@@ -49,14 +49,14 @@ constexpr double StandardRadius = 0.0005;
 // The default radius of points is half of their spacing, so that neighbours of a regular cloud
 // touch. Its limits, in the same unit: few points do not hide the scene, and points are not much
 // smaller than a texel where most of a cloud's points are in small parts of it.
-constexpr double LargestPointRadius = 0.02;
-constexpr double SmallestPointRadius = 0.0001;
+constexpr double MaximumPointRadius = 0.02;
+constexpr double MinimumPointRadius = 0.0001;
 
 // The smallest and largest diagonal of the scene's bounding box. VTK's cameras are at least 1e-20
 // away from what they look at, and floats hold intensities of lights, which are squares of lengths,
 // up to 1e38. A few powers of ten are left for cameras near the scene and for lights far from it.
-constexpr double SmallestSize = 1e-15;
-constexpr double LargestSize = 1e15;
+constexpr double MinimumSize = 1e-15;
+constexpr double MaximumSize = 1e15;
 
 ///@{
 /// The progress of reading when shapes are selected, and when meshes are made.
@@ -81,7 +81,6 @@ struct Omissions
   vtkIdType LitColors = 0;       ///< blocks whose colours were chosen for lights
   std::set<std::string> Unsound; ///< cells that would be read out of bounds
   std::set<std::string> DataTypes;
-  OldNames Old;
   MaterialProblems Materials;
 
   std::string ToText() const
@@ -92,7 +91,7 @@ struct Omissions
         "with exact colors."
       : "";
     std::string text = this->ListOmitted();
-    for (const std::string& more : { lit, this->Old.ToText(), this->Materials.ToText() })
+    for (const std::string& more : { lit, this->Materials.ToText() })
     {
       text += (text.empty() || more.empty() ? "" : " ") + more;
     }
@@ -180,7 +179,7 @@ std::string DescribeSize(double size)
 {
   std::ostringstream text;
   text << std::setprecision(3) << "The diagonal of the scene's bounding box is " << size
-       << " long. It must be " << SmallestSize << " to " << LargestSize << ": scale the scene.";
+       << " long. It must be " << MinimumSize << " to " << MaximumSize << ": scale the scene.";
   return text.str();
 }
 
@@ -217,7 +216,7 @@ public:
       return this->Finish(std::move(built), {}, {});
     }
     const double size = glm::length(this->Upper - this->Lower);
-    if (size > 0.0 && !(size >= SmallestSize && size <= LargestSize))
+    if (size > 0.0 && !(size >= MinimumSize && size <= MaximumSize))
     {
       built.Error = DescribeSize(size);
       return built;
@@ -256,21 +255,18 @@ private:
 
   void AddInput(vtkDataObject* data)
   {
-    const vtkSmartPointer<vtkDataObject> input = RenameOldArrays(data, this->Omitted.Old);
-    this->AddLights(input);
-    auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+    this->AddLights(data);
+    auto* composite = vtkCompositeDataSet::SafeDownCast(data);
     if (!composite)
     {
-      this->AddLeaf(input, input);
+      this->AddLeaf(data, data);
       return;
     }
     auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      const vtkSmartPointer<vtkDataObject> part =
-        RenameOldArrays(leaf->GetCurrentDataObject(), this->Omitted.Old);
-      this->AddLights(part);
-      this->AddLeaf(part, input);
+      this->AddLights(leaf->GetCurrentDataObject());
+      this->AddLeaf(leaf->GetCurrentDataObject(), data);
     }
   }
 
@@ -387,8 +383,8 @@ private:
       double radius = 0.5 * FindPointSpacing({ cloud.second.begin(), cloud.second.end() });
       if (cloud.second.front()->Instances.empty())
       {
-        radius = std::clamp(radius > 0.0 ? radius : VTK_DOUBLE_MAX, SmallestPointRadius * diagonal,
-          LargestPointRadius * diagonal);
+        radius = std::clamp(radius > 0.0 ? radius : VTK_DOUBLE_MAX, MinimumPointRadius * diagonal,
+          MaximumPointRadius * diagonal);
       }
       for (SceneBlock* block : cloud.second)
       {

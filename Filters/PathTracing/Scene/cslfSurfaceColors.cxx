@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceColors.h"
 
+#include "SceneData/cslfTextureImage.h"
 #include "cslfColor.h"
 #include "cslfFingerprint.h"
 
@@ -40,27 +41,6 @@ std::array<float, 256> MakeLinearTable()
   }
   return table;
 }
-}
-
-bool HoldsColors(vtkDataArray* array)
-{
-  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
-    array->GetNumberOfComponents() <= 4;
-}
-
-bool HasColors(vtkScalarsToColors* table)
-{
-  if (auto* colors = vtkLookupTable::SafeDownCast(table))
-  {
-    return colors->GetNumberOfTableValues() > 0;
-  }
-  auto* steps = vtkDiscretizableColorTransferFunction::SafeDownCast(table);
-  if (steps && steps->GetIndexedLookup() && steps->GetNumberOfIndexedColors() > 0)
-  {
-    return true;
-  }
-  auto* function = vtkColorTransferFunction::SafeDownCast(table);
-  return !function || function->GetSize() > 0;
 }
 
 SurfaceColors::SurfaceColors(vtkScalarsToColors* lookupTable)

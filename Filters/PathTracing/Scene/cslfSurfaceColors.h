@@ -33,9 +33,6 @@ struct MappedColors
   std::vector<float> Opacities;  ///< empty if all are 1
 };
 
-/// Whether an array contains colours: unsigned chars of 3 or 4 components. False for null.
-bool HoldsColors(vtkDataArray* array);
-
 /// A lookup table as a texture, for scalars that are interpolated before they are mapped.
 struct MappedTable
 {
@@ -43,9 +40,6 @@ struct MappedTable
   std::string Name;                      ///< identifies the colours
   std::vector<glm::vec2> Places;         ///< of the array's tuples
 };
-
-/// Whether a table contains any colours. VTK reads past the end of tables without colours.
-bool HasColors(vtkScalarsToColors* table);
 
 /// Maps the arrays of all blocks of a scene in the same way.
 class SurfaceColors

@@ -38,6 +38,14 @@ std::array<std::uint8_t, 4> ReadBorder(vtkDataObject* material, int slot, int co
 }
 }
 
+glm::vec3 GetDisplayedWhite(vtkDataObject* material)
+{
+  double white[3];
+  vtkCSLFMaterial::GetDisplayedWhite(material, white);
+  const bool isSet = white[0] > 0.0 && white[1] > 0.0 && white[2] > 0.0;
+  return isSet ? glm::vec3(white[0], white[1], white[2]) : glm::vec3(0.0f);
+}
+
 MaterialTextures TextureReader::Read(vtkDataObject* material)
 {
   MaterialTextures textures;

@@ -12,6 +12,8 @@
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -23,6 +25,9 @@ class vtkDataObject;
 
 namespace cslf
 {
+/// The CSLF:DisplayedWhite of a material; 0 in all components unless all are above 0.
+glm::vec3 GetDisplayedWhite(vtkDataObject* material);
+
 /// Reads each image once, even if many blocks share its pixels.
 class TextureReader
 {

@@ -14,12 +14,12 @@ namespace
 {
 // The smallest share of a round end, and of everything for the side, that counts as visible:
 // estimates are exact only far away, and everything visible needs a probability above 0.
-constexpr float LeastPart = 0.05f;
+constexpr float MinimumPart = 0.05f;
 
 // Steps of Newton's method that bring a ray's hit to the surface, and the cosine to the normal that
 // they need: Embree's hits on tubes of 100 radii or more in length are slightly off the surface.
 constexpr int NewtonSteps = 2;
-constexpr float SmallestNewtonCosine = 0.05f;
+constexpr float MinimumNewtonCosine = 0.05f;
 }
 
 SphereView::SphereView(const glm::vec3& from, const glm::vec3& center, float radius)
@@ -130,7 +130,7 @@ float TubeView::EstimateEnd(int end) const
   const float outwards = end == 0 ? -1.0f : 1.0f;
   const float cosine = glm::dot(path, tube.Axis) / glm::length(path);
   const float part = 0.5f * (1.0f + outwards * (cosine + tube.Slope));
-  return std::clamp(part, LeastPart, 1.0f) * this->Ends[end].GetSolidAngle();
+  return std::clamp(part, MinimumPart, 1.0f) * this->Ends[end].GetSolidAngle();
 }
 
 /// The approximate solid angle of the side, exact for an infinite cylinder.
@@ -148,7 +148,7 @@ float TubeView::EstimateSide() const
   const auto sine = [this](float place)
   { return place / std::sqrt(place * place + this->LineHeight * this->LineHeight); };
   const float extent = sine(length - this->LinePlace) - sine(-this->LinePlace);
-  return std::max(width * extent, LeastPart * (this->Shares[0] + this->Shares[1]));
+  return std::max(width * extent, MinimumPart * (this->Shares[0] + this->Shares[1]));
 }
 
 RoundSample TubeView::Sample(const glm::vec2& u) const
@@ -242,7 +242,7 @@ float TubeView::GetPdf(const glm::vec3& direction, float distance) const
     const float length = glm::length(fromAxis);
     const glm::vec3 normal = fromAxis / length;
     const float cosine = -glm::dot(normal, direction);
-    if (step == NewtonSteps || cosine < SmallestNewtonCosine)
+    if (step == NewtonSteps || cosine < MinimumNewtonCosine)
     {
       return this->GetSidePdf(along, normal, path);
     }

@@ -25,11 +25,11 @@ constexpr float OffsetRoundings = 16.0f * 0x1p-24f;
 
 // The smallest and the largest offset, in radii of the scene. The planes of the thinnest triangles
 // are too inexact for any offset.
-constexpr float LeastOffset = 1e-9f;
-constexpr float LargestOffset = 1e-5f;
+constexpr float MinimumOffset = 1e-9f;
+constexpr float MaximumOffset = 1e-5f;
 
 // The smallest cosine between a shading normal and the direction to the viewer.
-constexpr float SmallestCosine = 1e-3f;
+constexpr float MinimumCornerCosine = 1e-3f;
 
 // Shorter normals have no direction.
 constexpr float ShortestNormal = 1e-6f;
@@ -62,8 +62,8 @@ inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
 inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float length)
 {
   const float offset =
-    OffsetRoundings * (glm::dot(glm::abs(normal), reach) + 0.125f * length) + LeastOffset;
-  return std::min(offset, LargestOffset);
+    OffsetRoundings * (glm::dot(glm::abs(normal), reach) + 0.125f * length) + MinimumOffset;
+  return std::min(offset, MaximumOffset);
 }
 
 /// The normal of the side where the corners run counterclockwise. It has unit length even if the
@@ -94,7 +94,7 @@ inline glm::vec3 FaceOutgoing(
 {
   const float length = glm::length(normal);
   const glm::vec3 unit = TurnTo(normal, geometric) / length;
-  const float lack = std::max(SmallestCosine - glm::dot(unit, outgoing), 0.0f);
+  const float lack = std::max(MinimumCornerCosine - glm::dot(unit, outgoing), 0.0f);
   const glm::vec3 bent = unit + lack * outgoing;
   return Choose(length > ShortestNormal, bent / glm::length(bent), geometric);
 }

@@ -14,7 +14,7 @@ namespace cslf
 namespace
 {
 constexpr double LongestPiece = 32.0; // in radii
-constexpr double MostNewPieces = 1 << 20;
+constexpr double MaximumNewPieces = 1 << 20;
 
 /// The logarithm of the ratio of a tube's end radii.
 double GetGrowth(const Mesh& mesh, std::uint32_t tube)
@@ -129,7 +129,7 @@ void DivideLongTubes(Mesh& mesh)
   }
   if (longest > LongestPiece)
   {
-    TubeDivider(mesh, std::max(LongestPiece, sum / MostNewPieces)).Divide(mesh);
+    TubeDivider(mesh, std::max(LongestPiece, sum / MaximumNewPieces)).Divide(mesh);
   }
 }
 

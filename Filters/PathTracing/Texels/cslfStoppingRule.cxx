@@ -51,7 +51,7 @@ CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& 
 }
 
 /// The fewest samples that have a variance.
-constexpr int FewestForVariance = 2;
+constexpr int MinimumForVariance = 2;
 
 glm::vec3 FindMean(const ColorSamples& samples)
 {
@@ -169,7 +169,7 @@ void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
   bool lacks[TexelSums::Size];
   for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
-    lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count < FewestForVariance;
+    lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count < MinimumForVariance;
     needs[texel] = lacks[texel] || (inside[texel] && this->IsNoisy(sums, texel, elsewhere));
   }
   TakeByOthers(needs, lacks, inside, sums);
@@ -207,7 +207,7 @@ PathVariance StoppingRule::GetVariance(const TexelSums& sums)
   for (int texel = 0; texel < TexelSums::Size; ++texel)
   {
     const ColorSamples samples = sums.GetColorSamples(texel);
-    if (sums.Paths[texel] > 0 && samples.Count >= FewestForVariance)
+    if (sums.Paths[texel] > 0 && samples.Count >= MinimumForVariance)
     {
       variance.Sum += FindVariance(samples);
       ++variance.Texels;

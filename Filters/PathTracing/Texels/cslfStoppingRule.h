@@ -88,7 +88,7 @@ class VTKCSLF_EXPORT StoppingRule
 {
 public:
   /// The smallest number of samples from whose differences the noise is estimated.
-  static constexpr int FewestSamples = 4;
+  static constexpr int MinimumSamples = 4;
 
   /// The target is a standard error in the units of the curve.
   StoppingRule(const DisplayCurve& display, double target)

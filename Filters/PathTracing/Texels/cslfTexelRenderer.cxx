@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTexelRenderer.h"
 
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+
 #include "Pipeline/cslfParallelFor.h"
 #include "cslfCenterSurfaces.h"
 
@@ -19,10 +21,10 @@ namespace
 {
 // The number of samples of a batch: enough for many threads, and about a second's work on a few.
 constexpr std::int64_t BatchSamples = 1 << 20;
-constexpr std::int64_t SmallestBatch = 16;
+constexpr std::int64_t MinimumBatch = 16;
 
 // The most blocks whose paths are followed together.
-constexpr int MostBlocks = 64;
+constexpr int MaximumBlocks = 64;
 
 // The least opacity of surfaces whose depth is stored. Other views look through those with less, so
 // where there are only such surfaces, it is the depth of the last.
@@ -121,7 +123,7 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
     this->Layout.Tiles * this->Layout.Slices;
   const std::int64_t samplesOfRun =
     std::int64_t(RayPacket::Size) * this->GetBlocksOfRun() * std::max(this->Settings.Samples, 1);
-  const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRun);
+  const std::int64_t batch = std::max(MinimumBatch, BatchSamples / samplesOfRun);
   vtkSMPThreadLocal<PathQueue> queues;
   for (std::int64_t first = 0; first < runs; first += batch)
   {
@@ -175,9 +177,9 @@ int TexelRenderer::GetBlocksOfRun() const
 {
   // As many as fill a batch of paths before it must be followed.
   const int samples =
-    this->IsAdaptive() ? StoppingRule::FewestSamples : std::max(this->Settings.Samples, 1);
+    this->IsAdaptive() ? StoppingRule::MinimumSamples : std::max(this->Settings.Samples, 1);
   const int filling = PathBatch::Capacity / (RayPacket::Size * samples);
-  return std::clamp(filling, 1, std::min(this->GetBlocksOfRow(), MostBlocks));
+  return std::clamp(filling, 1, std::min(this->GetBlocksOfRow(), MaximumBlocks));
 }
 
 int TexelRenderer::GetRunsOfRow() const
@@ -263,13 +265,13 @@ void TexelRenderer::TakeSingles(std::vector<Block>& blocks, PathQueue& queue) co
 void TexelRenderer::TakeEnough(std::vector<Block>& blocks, PathQueue& queue) const
 {
   PathVariance all; // of the first samples, which every block takes here
-  for (std::int64_t samples = StoppingRule::FewestSamples; samples < this->Settings.Samples;
+  for (std::int64_t samples = StoppingRule::MinimumSamples; samples < this->Settings.Samples;
        samples *= 2)
   {
     this->AddUpTo(static_cast<int>(samples), blocks, queue);
     for (Block& block : blocks)
     {
-      if (samples == StoppingRule::FewestSamples && !block.Sums.AreTaken())
+      if (samples == StoppingRule::MinimumSamples && !block.Sums.AreTaken())
       {
         block.Variance = StoppingRule::GetVariance(block.Sums);
         all.Add(block.Variance);
@@ -451,7 +453,7 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
     places.TileY[lane] = block.Texels.Y[lane] + 0.5f;
   }
   RayPacket packet;
-  packet.LeastOpacity = DepthOpacity;
+  packet.MinimumOpacity = DepthOpacity;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
   const int centers = KeepInside(block.Inside, packet);

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSlicePuller.h"
+#include "cslfViewpointReader.h"
 
-#include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfFieldArrays.h"
-#include "Pipeline/cslfRequests.h"
 
 #include "Coding/Frames/cslfRadianceFrames.h"
 #include "cslfEncodeSettings.h"
@@ -18,6 +16,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -39,57 +38,48 @@ std::optional<Layout> FindGrid(vtkInformation* information)
   return std::equal(whole, whole + 6, extent) ? std::make_optional(grid) : std::nullopt;
 }
 
-SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)
-  : Information(information)
+ViewpointReader::ViewpointReader(vtkAlgorithmOutput* connection, const Layout& grid)
+  : Input(connection)
   , Grid(grid)
   , Keys(grid.GetViewpoints(), 1)
 {
 }
 
-bool SlicePuller::Begin(std::string& error)
+bool ViewpointReader::Begin(std::string& error)
 {
-  const auto field = Description::ReadFrom(vtkImageData::GetData(this->Information), error);
-  if (!field)
+  if (!this->Input.OpenUpdated() || !this->Input.Read({ 0, 0 }))
   {
+    error = this->Input.GetError();
+    error = error.empty() ? "The input failed." : error;
     return false;
   }
-  error = FindFault(*field);
-  if (!error.empty())
-  {
-    return false;
-  }
-  this->Field = *field;
-  this->Text = field->ToText();
-  return true;
+  error = FindError(this->Input.GetDescription());
+  return error.empty();
 }
 
-std::uint32_t SlicePuller::GetFirstChecksum() const
+std::uint32_t ViewpointReader::GetFirstChecksum() const
 {
-  vtkImageData* input = vtkImageData::GetData(this->Information);
-  const int first = input->GetExtent()[4];
-  const vtkSmartPointer<vtkImageData> image = ToAOS(input, first, first);
-  const ViewpointSamples samples(image);
   uLong checksum = 0;
   for (const KnownChannel id : KnownChannels)
   {
-    if (const Channel* channel = this->Field.FindChannel(id))
+    if (const Channel* channel = this->Input.GetDescription().FindChannel(id))
     {
-      checksum = ::crc32(checksum, static_cast<const Bytef*>(samples.GetMemory(id)),
+      checksum = ::crc32(checksum, this->Input.GetSlice(*channel, 0),
         static_cast<uInt>(channel->GetTexelBytes() * this->Grid.GetStripTexels()));
     }
   }
   return static_cast<std::uint32_t>(checksum);
 }
 
-bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
+bool ViewpointReader::Read(const std::vector<int>& slices, std::string& error)
 {
-  this->Pulled.clear();
+  this->Slices.clear();
   const auto texels = static_cast<vtkIdType>(this->Grid.GetStripTexels());
   const ViewpointSamples all =
-    MakeSamples(this->Field, texels * static_cast<vtkIdType>(slices.size()));
+    MakeSamples(this->Input.GetDescription(), texels * static_cast<vtkIdType>(slices.size()));
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    this->Pulled.push_back(all.At(texels * static_cast<vtkIdType>(place)));
+    this->Slices.push_back(all.At(texels * static_cast<vtkIdType>(place)));
   }
   std::vector<std::pair<int, std::size_t>> sorted; // slice, place
   for (std::size_t place = 0; place < slices.size(); ++place)
@@ -107,50 +97,48 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     }
     this->Done = begin;
     this->Awaited = end - begin;
-    const vtkSmartPointer<vtkImageData> image =
-      this->Update(sorted[begin].first, sorted[end - 1].first, error);
-    if (!image)
+    if (!this->ReadRange(sorted[begin].first, sorted[end - 1].first, error))
     {
       return false;
     }
     for (; begin < end; ++begin)
     {
-      this->Copy(image, sorted[begin].first, this->Pulled[sorted[begin].second]);
+      this->Copy(sorted[begin].first, this->Slices[sorted[begin].second]);
     }
   }
   return true;
 }
 
-double SlicePuller::GetShare(double ofInput) const
+double ViewpointReader::GetShare(double ofInput) const
 {
   const double done =
     static_cast<double>(this->Done) + ofInput * static_cast<double>(this->Awaited);
   return done / static_cast<double>(std::max<std::size_t>(this->Wanted, 1));
 }
 
-vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::string& error)
+bool ViewpointReader::ReadRange(int first, int last, std::string& error)
 {
-  auto* image = UpdateSlices(this->Information, first, last)
-    ? vtkImageData::GetData(this->Information)
-    : nullptr;
-  if (!image || image->GetExtent()[4] > first || image->GetExtent()[5] < last)
+  if (this->Input.Read({ first, last }))
+  {
+    return true;
+  }
+  error = this->Input.GetError();
+  if (error.empty())
   {
     error = "the input did not deliver the viewpoints " + std::to_string(first) + " to " +
       std::to_string(last);
-    return nullptr;
+    return false;
   }
-  const auto field = Description::ReadFrom(image, error);
-  if (field && field->ToText() != this->Text)
-  {
-    error = "the input changed between two slabs";
-    return nullptr;
-  }
-  return field ? ToAOS(image, first, last) : nullptr;
+  // A sentence becomes part of one.
+  error.erase(error.find_last_not_of('.') + 1);
+  error.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(error.front())));
+  return false;
 }
 
-void SlicePuller::Copy(vtkImageData* image, int slice, const ViewpointSamples& target)
+void ViewpointReader::Copy(int slice, const ViewpointSamples& target)
 {
   const std::size_t texels = this->Grid.GetStripTexels();
+  vtkImageData* image = this->Input.GetImage();
   const auto first = static_cast<vtkIdType>(texels * (slice - image->GetExtent()[4]));
   ViewpointSamples(image).At(first).CopyTo(target, texels);
   if (const auto* color = target.Get<float>(KnownChannel::Color))

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureImage.h"
 
-#include "PathTracing/Scene/cslfSurfaceColors.h"
 #include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkActor.h>
+#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkDiscretizableColorTransferFunction.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkLookupTable.h>
@@ -106,6 +107,27 @@ const double* FindTextureTransform(vtkActor* actor)
   vtkInformation* keys = actor->GetPropertyKeys();
   return keys ? keys->Get(TextureTransformKey()) : nullptr;
 }
+}
+
+bool HoldsColors(vtkDataArray* array)
+{
+  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
+    array->GetNumberOfComponents() <= 4;
+}
+
+bool HasColors(vtkScalarsToColors* table)
+{
+  if (auto* colors = vtkLookupTable::SafeDownCast(table))
+  {
+    return colors->GetNumberOfTableValues() > 0;
+  }
+  auto* steps = vtkDiscretizableColorTransferFunction::SafeDownCast(table);
+  if (steps && steps->GetIndexedLookup() && steps->GetNumberOfIndexedColors() > 0)
+  {
+    return true;
+  }
+  auto* function = vtkColorTransferFunction::SafeDownCast(table);
+  return !function || function->GetSize() > 0;
 }
 
 vtkSmartPointer<vtkImageData> MakeFlatImage(vtkTexture* texture)

@@ -26,8 +26,8 @@ constexpr double Rounding = 1e-6;
 
 // The largest share of a surface for the boundary or metal of a highlight. Broader highlights
 // become a brighter diffuse base.
-constexpr double LargestReflectance = 0.2;
-constexpr double LargestMetallic = 0.3;
+constexpr double MaximumReflectance = 0.2;
+constexpr double MaximumMetallic = 0.3;
 
 // VTK encodes physically based shading with this exponent.
 constexpr double PhysicalGamma = 2.2;
@@ -199,10 +199,10 @@ void SurfaceAppearance::FindHighlight(const std::vector<glm::dvec3>& typical)
   const auto [ofColor, ofWhite] = parts.Fit();
   const double squaredAlpha = ToSquaredAlpha(this->Property->GetSpecularPower());
   const double ratio = 4.0 * squaredAlpha * ofColor;
-  this->Metallic = std::min(ratio / (1.0 + ratio), LargestMetallic);
+  this->Metallic = std::min(ratio / (1.0 + ratio), MaximumMetallic);
   const double part = 1.0 - this->Metallic;
   const double reflectance =
-    std::min(4.0 * squaredAlpha * ofWhite / (light * part), LargestReflectance);
+    std::min(4.0 * squaredAlpha * ofWhite / (light * part), MaximumReflectance);
   this->Roughness = std::sqrt(std::sqrt(squaredAlpha));
   this->IndexOfRefraction = ToIndexOfRefraction(reflectance);
   this->UpdateResponse();

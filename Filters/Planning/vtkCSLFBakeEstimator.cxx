@@ -39,10 +39,10 @@ constexpr double CacheShare = 0.4;
 // The samples per texel of the measurements that choose their number, and the most that may be
 // chosen.
 constexpr int FewSamples = 4;
-constexpr int MostSamples = 1 << 16;
+constexpr int MaximumSamples = 1 << 16;
 
 // Times of the whole field that are less than this do not tell how its viewpoints differ.
-constexpr double LeastScaleSeconds = 1.0;
+constexpr double MinimumScaleSeconds = 1.0;
 
 // Chosen numbers of samples have only this many leading binary digits, because sequences are better
 // at round numbers.
@@ -67,7 +67,7 @@ private:
 
 int RoundDown(double samples)
 {
-  int rounded = static_cast<int>(std::clamp<double>(samples, 1.0, MostSamples));
+  int rounded = static_cast<int>(std::clamp<double>(samples, 1.0, MaximumSamples));
   int step = 1;
   while (rounded / step >= 1 << SampleDigits)
   {
@@ -264,7 +264,8 @@ int vtkCSLFBakeEstimator::FindSamples(double seconds)
     }
     // Assumes that the time of rendering is linear in the samples. The estimate's own figure, from
     // more viewpoints, sets the scale, unless it is so short that the pipeline takes most of it.
-    const double scale = this->RenderSeconds > LeastScaleSeconds ? this->RenderSeconds / few : 1.0;
+    const double scale =
+      this->RenderSeconds > MinimumScaleSeconds ? this->RenderSeconds / few : 1.0;
     // Times that hardly differ would say little.
     int manySamples = FewSamples;
     double many = 0.0;
@@ -276,7 +277,7 @@ int vtkCSLFBakeEstimator::FindSamples(double seconds)
         vtkErrorMacro(<< probe.GetError());
         return 0;
       }
-    } while (many < 2.0 * few && scale * many < seconds && manySamples < MostSamples);
+    } while (many < 2.0 * few && scale * many < seconds && manySamples < MaximumSamples);
     const double slope = std::max(scale * (many - few) / (manySamples - FewSamples), 1e-9);
     const double single =
       std::max(this->RenderSeconds - slope * (FewSamples - 1), 0.25 * this->RenderSeconds);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
-#include "PathTracing/Materials/cslfMaterialParameters.h"
 #include "Pipeline/cslfArrayLayout.h"
-#include "SceneImport/cslfSurfaceAppearance.h"
-#include "SceneImport/cslfTextureImage.h"
+#include "SceneData/cslfMaterialParameters.h"
+#include "SceneData/cslfSurfaceAppearance.h"
+#include "SceneData/cslfTextureImage.h"
 #include "cslfColor.h"
 
 #include <vtkAlgorithm.h>

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pulls a light field of byte or float colours and 16-bit depth through the pipeline in any order.
+ * Reads viewpoints of a light field of byte or float colours and 16-bit depth through the pipeline,
+ * in any order.
  */
-#ifndef cslfSlicePuller_h
-#define cslfSlicePuller_h
+#ifndef cslfViewpointReader_h
+#define cslfViewpointReader_h
 
+#include "Pipeline/cslfFieldStream.h"
 #include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
 #include "cslfViewpointSamples.h"
 
 #include <cstddef>
-#include <vtkSmartPointer.h>
-
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-class vtkImageData;
+class vtkAlgorithmOutput;
 class vtkInformation;
 
 namespace cslf
@@ -72,54 +72,50 @@ private:
 /// that of a whole light field.
 std::optional<Layout> FindGrid(vtkInformation* information);
 
-class SlicePuller
+class ViewpointReader
 {
 public:
-  /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s. The
-  /// caller keeps its requests with KeptRequests.
-  SlicePuller(vtkInformation* information, const Layout& grid);
+  /// Reads from a connection whose whole extent is `grid`'s, and whose first viewpoint is there.
+  ViewpointReader(vtkAlgorithmOutput* connection, const Layout& grid);
 
   /// From now on, fields and slices are those of the key views only. At first, all viewpoints are
   /// key views.
   void SetKeyViewStep(int step) { this->Keys = KeyViews(this->Grid.GetViewpoints(), step); }
 
-  /// Reads the description in the input's current output. On failure returns false and gives the
-  /// reason in a sentence.
+  /// Reads the description. On failure returns false and gives the reason in a sentence.
   bool Begin(std::string& error);
 
-  Description GetField() const { return this->Keys.Apply(this->Field); }
+  Description GetField() const { return this->Keys.Apply(this->Input.GetDescription()); }
 
-  /// The CRC-32 of the first viewpoint in the input's current output.
+  /// The CRC-32 of the first viewpoint, after Begin.
   std::uint32_t GetFirstChecksum() const;
 
-  /// Pulls slices, in any order, in as few slabs as possible. On failure returns false and gives
+  /// Reads slices, in any order, in as few slabs as possible. On failure returns false and gives
   /// the reason in one line.
-  bool Pull(const std::vector<int>& slices, std::string& error);
+  bool Read(const std::vector<int>& slices, std::string& error);
 
-  /// While Pull waits for the input: the share of the slices that is there, if the input has made
+  /// While Read waits for the input: the share of the slices that is there, if the input has made
   /// this share of what it was asked for.
   double GetShare(double ofInput) const;
 
-  /// The slices pulled last, in the requested order.
-  const std::vector<ViewpointSamples>& GetSlices() const { return this->Pulled; }
+  /// The slices read last, in the requested order.
+  const std::vector<ViewpointSamples>& GetSlices() const { return this->Slices; }
 
-  /// Whether a texel pulled so far has a float colour that a video cannot hold.
+  /// Whether a texel read so far has a float colour that a video cannot hold.
   bool HasClipped() const { return this->Clipped; }
 
 private:
-  vtkSmartPointer<vtkImageData> Update(int first, int last, std::string& error);
-  void Copy(vtkImageData* image, int slice, const ViewpointSamples& target);
+  bool ReadRange(int first, int last, std::string& error);
+  void Copy(int slice, const ViewpointSamples& target);
 
-  vtkInformation* Information;
+  FieldStream Input;
   Layout Grid;
   KeyViews Keys;
-  Description Field;
-  std::string Text; ///< the description
   bool Clipped = false;
-  std::vector<ViewpointSamples> Pulled; ///< last
+  std::vector<ViewpointSamples> Slices; ///< last
 
   ///@{
-  /// The numbers of slices that Pull has, that it waits for, and that it shall get.
+  /// The numbers of slices that Read has, that it waits for, and that it shall get.
   std::size_t Done = 0;
   std::size_t Awaited = 0;
   std::size_t Wanted = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFLight.h"
 
-#include "SceneImport/cslfWindowLights.h"
+#include "SceneData/cslfWindowLights.h"
 #include "cslfColor.h"
 
 #include <vtkDataObject.h>

@@ -5,9 +5,10 @@
  * Pulls a light field through the pipeline a few viewpoints at a time, so that it never has to fit
  * in memory as a whole.
  */
-#ifndef cslfSlabs_h
-#define cslfSlabs_h
+#ifndef cslfFieldStream_h
+#define cslfFieldStream_h
 
+#include "Pipeline/cslfFieldStore.h"
 #include "Pipeline/cslfRequests.h"
 #include "cslfDescription.h"
 
@@ -16,13 +17,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
-class vtkCSLFDecoder;
 class vtkInformation;
 
 namespace cslf
@@ -39,32 +40,33 @@ struct Slab
   int GetCount() const { return this->Last - this->First + 1; }
 };
 
-/// Reads a filter's input connection slab by slab. Every method except the getters returns false on
-/// failure; then GetError() gives the reason in one line, or is empty if the upstream filter has
-/// reported it already. What had been requested from the upstream filters before Open() is
-/// requested from them again afterwards.
-class SlabStream
+/// Reads a filter's input connection slab by slab. Methods return false on failure; then GetError()
+/// gives the reason in a sentence, or is empty if the upstream filter has reported it already.
+class FieldStream
 {
 public:
-  explicit SlabStream(vtkAlgorithmOutput* connection);
+  explicit FieldStream(vtkAlgorithmOutput* connection);
 
-  /// Asks upstream for the whole extent. Called once.
+  ///@{
+  /// Called once, before the first slab is read: Open updates the connection's information,
+  /// OpenUpdated relies on it, within a filter's RequestData. What had been requested from the
+  /// upstream filters before is requested from them again when the stream is destroyed.
   bool Open();
+  bool OpenUpdated();
+  ///@}
 
   /// The slices that the upstream filter offers.
   const Slab& GetWhole() const { return this->Whole; }
 
-  /// The number of slices of a slab with moderate memory, but small enough to show progress.
-  int GetSlabSize() const { return this->SlabSize; }
-
-  /// The slab that begins at `first`, which must be one of the whole's slices.
+  /// The slab that begins at `first`, which must be one of the whole's slices. Slabs take moderate
+  /// memory, but are small enough to show progress.
   Slab MakeSlab(int first) const;
 
-  /// Whether the upstream filter decodes a video.
-  bool IsVideo() const { return this->Decoder != nullptr; }
+  /// Whether some orders of slices are faster than others, as in a video.
+  bool IsOrdered() const { return this->Store != nullptr; }
 
   /// The wanted slices as slabs, in the order of least work for the upstream filter: that of the
-  /// file if it is a video, else ascending.
+  /// file if it reads a video, else ascending.
   std::vector<Slab> PlanSlabs(const std::function<bool(int)>& isWanted) const;
 
   /// Announces the slabs that will be read, in this order, so that a video is decoded ahead.
@@ -74,8 +76,9 @@ public:
   /// description; a later one that differs from it is an error.
   bool Read(const Slab& slab);
 
+  /// At least the slab read last, as arrays that pointers can read.
   vtkImageData* GetImage() const { return this->Image; }
-  const Description& GetDescription() const { return this->FieldDescription; }
+  const Description& GetDescription() const { return this->Field; }
   const std::string& GetError() const { return this->Error; }
 
   /// The first value of a slice in a channel's array of the current image.
@@ -85,25 +88,20 @@ private:
   bool Fail(const std::string& error);
   void ReadAhead(const Slab& slab);
 
-  vtkAlgorithm* Producer;
-  vtkCSLFDecoder* Decoder; ///< the producer if it is one, else null
+  vtkSmartPointer<vtkAlgorithm> Producer;
   int Port;
+  vtkInformation* Information = nullptr; ///< of the producer's output
+  std::shared_ptr<FieldStore> Store;     ///< if the producer lends one, else null
   std::optional<KeptRequests> Requests;
   Slab Whole;
   int SlabSize = 1;
   std::vector<Slab> Announced;
   std::size_t Next = 0; ///< of the slabs announced
-  bool HasDescription = false;
-  Description FieldDescription;
-  vtkSmartPointer<vtkImageData> Image; ///< of arrays that pointers can read
+  Description Field;
+  std::string Text; ///< the field's, after the first read
+  vtkSmartPointer<vtkImageData> Image;
   std::string Error;
 };
-
-/// Pulls at least the slices from `first` to `last` from the connection of that pipeline
-/// information, within a filter's RequestData, as arrays that pointers can read. The filter keeps
-/// the requests with KeptRequests. On failure returns null and gives the reason in a sentence.
-vtkSmartPointer<vtkImageData> PullSlices(
-  vtkInformation* information, int first, int last, std::string& error);
 
 /// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
 /// share one slice, like pieces of image data.

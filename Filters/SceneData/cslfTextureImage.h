@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The image that a vtkTexture shows, and its place on an actor.
+ * The image that a vtkTexture shows, and its place on an actor; and which arrays and tables contain
+ * colours.
  */
 #ifndef cslfTextureImage_h
 #define cslfTextureImage_h
@@ -11,11 +12,19 @@
 #include <vtkSmartPointer.h>
 
 class vtkActor;
+class vtkDataArray;
 class vtkPolyData;
+class vtkScalarsToColors;
 class vtkTexture;
 
 namespace cslf
 {
+/// Whether an array contains colours: unsigned chars of 3 or 4 components. False for null.
+bool HoldsColors(vtkDataArray* array);
+
+/// Whether a table contains any colours. VTK reads past the end of tables without colours.
+bool HasColors(vtkScalarsToColors* table);
+
 /// The input of a texture in the first two axes, with its pixels as scalars of points. The columns
 /// are along the first axis that has more than one pixel, so an image of one column becomes one
 /// row, as in VTK's window. Null if the image is three-dimensional or has no pixels.

@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSlabs.h"
+#include "cslfFieldStream.h"
 
 #include "Pipeline/cslfArrayLayout.h"
-
-#include "vtkCSLFDecoder.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
 #include <vtkExtentTranslator.h>
-#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerRequestKey.h>
@@ -31,27 +28,8 @@ constexpr double SlabBytes = 64.0 * 1024 * 1024;
 constexpr double TexelBytesEstimate = 20.0;
 // The minimum number of slabs, if there are as many slices.
 constexpr int SlabCount = 64;
-// How many slices a video is decoded ahead, if the decoder keeps that many.
-constexpr vtkIdType SlicesAhead = 512;
-}
-
-vtkSmartPointer<vtkImageData> PullSlices(
-  vtkInformation* information, int first, int last, std::string& error)
-{
-  vtkImageData* image = vtkImageData::GetData(information);
-  const auto holds = [&]()
-  { return image && image->GetExtent()[4] <= first && image->GetExtent()[5] >= last; };
-  if (!holds())
-  {
-    image = UpdateSlices(information, first, last) ? vtkImageData::GetData(information) : nullptr;
-  }
-  if (!holds())
-  {
-    error = "The input did not deliver the viewpoints " + std::to_string(first) + " to " +
-      std::to_string(last) + ".";
-    return nullptr;
-  }
-  return ToAOS(image, first, last);
+// How many slices a video is decoded ahead, if the reader keeps that many.
+constexpr std::size_t SlicesAhead = 512;
 }
 
 void SplitAlongZ(vtkInformation* information)
@@ -68,33 +46,35 @@ void SetFieldInformation(vtkInformation* information, const int wholeExtent[6])
   SplitAlongZ(information);
 }
 
-SlabStream::SlabStream(vtkAlgorithmOutput* connection)
+FieldStream::FieldStream(vtkAlgorithmOutput* connection)
   : Producer(connection->GetProducer())
-  , Decoder(vtkCSLFDecoder::SafeDownCast(this->Producer))
   , Port(connection->GetIndex())
 {
 }
 
-bool SlabStream::Fail(const std::string& error)
+bool FieldStream::Fail(const std::string& error)
 {
   this->Error = error;
   return false;
 }
 
-bool SlabStream::Open()
+bool FieldStream::Open()
 {
   auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->Producer->GetExecutive());
-  if (!executive || !executive->UpdateInformation())
-  {
-    return false;
-  }
+  return executive && executive->UpdateInformation() && this->OpenUpdated();
+}
+
+bool FieldStream::OpenUpdated()
+{
   this->Requests.emplace(this->Producer->GetOutputPort(this->Port));
-  int extent[6];
-  executive->GetWholeExtent(this->Producer->GetOutputInformation(this->Port), extent);
+  this->Information = this->Producer->GetOutputInformation(this->Port);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  this->Information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
   {
     return this->Fail("The input is empty.");
   }
+  this->Store = BorrowStore(this->Information);
   this->Whole = { extent[4], extent[5] };
   const double texels = (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0);
   const double fitting = std::max(1.0, SlabBytes / (TexelBytesEstimate * texels));
@@ -103,31 +83,29 @@ bool SlabStream::Open()
   return true;
 }
 
-Slab SlabStream::MakeSlab(int first) const
+Slab FieldStream::MakeSlab(int first) const
 {
   return { first, std::min(this->Whole.Last, first + this->SlabSize - 1) };
 }
 
-std::vector<Slab> SlabStream::PlanSlabs(const std::function<bool(int)>& isWanted) const
+std::vector<Slab> FieldStream::PlanSlabs(const std::function<bool(int)>& isWanted) const
 {
-  vtkNew<vtkIdTypeArray> order;
-  if (this->Decoder)
+  std::vector<int> order;
+  for (int slice = this->Whole.First; slice <= this->Whole.Last; ++slice)
   {
-    this->Decoder->GetViewpointsInFileOrder(order);
+    if (isWanted(slice))
+    {
+      order.push_back(slice);
+    }
   }
-  for (int slice = this->Whole.First; !this->Decoder && slice <= this->Whole.Last; ++slice)
+  if (this->Store)
   {
-    order->InsertNextValue(slice);
+    this->Store->Sort(order);
   }
   std::vector<Slab> slabs;
   int previous = this->Whole.First;
-  for (vtkIdType k = 0; k < order->GetNumberOfValues(); ++k)
+  for (const int slice : order)
   {
-    const int slice = static_cast<int>(order->GetValue(k));
-    if (!isWanted(slice))
-    {
-      continue;
-    }
     Slab* slab = slabs.empty() ? nullptr : &slabs.back();
     if (slab && slab->GetCount() < this->SlabSize && std::abs(slice - previous) == 1 &&
       (slice == slab->First - 1 || slice == slab->Last + 1))
@@ -144,67 +122,68 @@ std::vector<Slab> SlabStream::PlanSlabs(const std::function<bool(int)>& isWanted
   return slabs;
 }
 
-void SlabStream::Announce(const std::vector<Slab>& slabs)
+void FieldStream::Announce(const std::vector<Slab>& slabs)
 {
   this->Announced = slabs;
   this->Next = 0;
 }
 
-void SlabStream::ReadAhead(const Slab& slab)
+void FieldStream::ReadAhead(const Slab& slab)
 {
   while (this->Next < this->Announced.size() && this->Announced[this->Next].First != slab.First)
   {
     ++this->Next;
   }
-  vtkNew<vtkIdTypeArray> soon;
-  for (std::size_t k = this->Next;
-       k < this->Announced.size() && soon->GetNumberOfValues() < SlicesAhead; ++k)
+  std::vector<int> soon;
+  for (std::size_t k = this->Next; k < this->Announced.size() && soon.size() < SlicesAhead; ++k)
   {
     for (int slice = this->Announced[k].First; slice <= this->Announced[k].Last; ++slice)
     {
-      soon->InsertNextValue(slice);
+      soon.push_back(slice);
     }
   }
-  this->Decoder->Prefetch(soon);
+  this->Store->Prefetch(soon);
 }
 
-bool SlabStream::Read(const Slab& slab)
+bool FieldStream::Read(const Slab& slab)
 {
-  if (this->Decoder && !this->Announced.empty())
+  if (this->Store && !this->Announced.empty())
   {
     this->ReadAhead(slab);
   }
-  if (!UpdateSlices(this->Producer->GetOutputInformation(this->Port), slab.First, slab.Last))
+  this->Error.clear();
+  if (!UpdateSlices(this->Information, slab.First, slab.Last))
   {
     return false;
   }
-
-  this->Image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+  auto* image = vtkImageData::GetData(this->Information);
   std::string error;
-  auto description = Description::ReadFrom(this->Image, error);
-  if (!description)
+  const auto field = Description::ReadFrom(image, error);
+  if (!field)
   {
     return this->Fail(error);
   }
-  const int* delivered = this->Image->GetExtent();
+  const int* delivered = image->GetExtent();
   if (delivered[4] > slab.First || delivered[5] < slab.Last)
   {
-    return this->Fail("The input does not deliver the requested viewpoints.");
+    return this->Fail("The input did not deliver the viewpoints " + std::to_string(slab.First) +
+      " to " + std::to_string(slab.Last) + ".");
   }
-  this->Image = ToAOS(this->Image, slab.First, slab.Last);
-  if (this->HasDescription && description->ToText() != this->FieldDescription.ToText())
+  const std::string text = field->ToText();
+  if (!this->Text.empty() && this->Text != text)
   {
     return this->Fail("The input's description changes between its parts.");
   }
-  this->FieldDescription = *description;
-  this->HasDescription = true;
+  this->Image = ToAOS(image, slab.First, slab.Last);
+  this->Field = *field;
+  this->Text = text;
   return true;
 }
 
-const unsigned char* SlabStream::GetSlice(const Channel& channel, int slice) const
+const unsigned char* FieldStream::GetSlice(const Channel& channel, int slice) const
 {
   vtkDataArray* array = this->Image->GetPointData()->GetArray(channel.Name.c_str());
-  const Layout& grid = this->FieldDescription.Grid;
+  const Layout& grid = this->Field.Grid;
   const std::int64_t texels = std::int64_t(grid.GetStripWidth()) * grid.GetResolution();
   const std::int64_t offset = (slice - this->Image->GetExtent()[4]) * texels;
   return static_cast<const unsigned char*>(array->GetVoidPointer(0)) +
