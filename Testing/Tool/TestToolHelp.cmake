@@ -71,7 +71,7 @@ function (check_program program expected)
     message(FATAL_ERROR "${program} help help is not ${program} help:\n${output}")
   endif ()
   # There is no help of a command that does not exist.
-  foreach (arguments IN ITEMS "help nonsense" "nonsense --help" "help nonsense info" "nonsense")
+  foreach (arguments IN ITEMS "help nonsense" "nonsense --help" "nonsense")
     separate_arguments(arguments)
     cslf_fail("There is no command nonsense; see ${program} --help" "" ${arguments})
   endforeach ()

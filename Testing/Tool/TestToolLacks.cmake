@@ -9,6 +9,8 @@ set(field "${DATA}/field.mp4")
 
 # Runs the tool without the resources that `lacks` names. Sets `result`, `output` and `error`.
 function (run_without lacks)
+  separate_arguments(lacks)
+  list(REMOVE_ITEM lacks "")
   list(TRANSFORM lacks PREPEND CSLF_LACKS_)
   execute_process(
     COMMAND "${CMAKE_COMMAND}" -E env "LD_PRELOAD=${LACKS}" ${lacks} "${CSLF}" ${ARGN}
@@ -64,10 +66,10 @@ endforeach ()
 if (HAS_ENCODER)
   file(WRITE "${DIRECTORY}/plain.obj" "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n")
   set(small plain.obj -M 2 -N 16 --spp 1 --max-depth 1 --threads 2)
-  foreach (lacks IN ITEMS "" "FLAGS=1" "FLAGS=1\\;LINKS=1")
+  foreach (lacks IN ITEMS "" "FLAGS=1" "FLAGS=1 LINKS=1")
     foreach (name IN ITEMS plain.png plain.mp4)
       file(REMOVE "${DIRECTORY}/plain.png")
-      run_without("NAME=${name};${lacks}" sample ${small})
+      run_without("NAME=${name} ${lacks}" sample ${small})
       file(READ "${DIRECTORY}/${name}" text)
       if (NOT result STREQUAL "1" OR NOT text STREQUAL "mine" OR
           NOT error MATCHES "^cslf: error: [^\n]*${name}[^\n]*: a file of that name has appeared meanwhile[^\n]*\n$")
@@ -76,7 +78,7 @@ if (HAS_ENCODER)
       file(REMOVE "${DIRECTORY}/${name}")
     endforeach ()
     # The message names the groups, which are found when the name is free again.
-    if (NOT error MATCHES "; ([0-9]+) of \\1 groups of viewpoints are kept in plain.mp4.partial, and")
+    if (NOT error MATCHES "; [1-9][0-9]* of [1-9][0-9]* groups of viewpoints are kept in plain.mp4.partial, and")
       message(FATAL_ERROR "The field was lost: ${error}")
     endif ()
     run_without("${lacks}" sample ${small} --json)
