@@ -199,6 +199,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     rate->GetKeyViewStep(), rate->GetTargetNovelViewPSNR(), this->Codec ? this->Codec : "" };
   job.Parts = this->Parts->Parts;
   job.Restart = this->Restart;
+  job.Overwrite = this->Overwrite;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)
   {
@@ -444,6 +445,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthFromGeometry: " << (this->DepthFromGeometry ? "On" : "Off") << "\n";
   os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
+  os << indent << "Overwrite: " << (this->Overwrite ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ActualCRF: " << this->ActualCRF << "\n";
   os << indent << "ActualSize: " << this->ActualSize << "\n";

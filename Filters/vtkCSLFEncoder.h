@@ -34,8 +34,8 @@
  * coarsest nested grid. Groups and tracks are coded in parallel with vtkSMPTools, and the file has
  * the same bytes for any number of threads. While the file is written, its parts are in a folder
  * named like the file with `.partial` appended. The complete file appears by renaming, when its
- * bytes are on the disk, and replaces an older one only then. Documentation/FileFormat.md specifies
- * the file.
+ * bytes are on the disk, and replaces an older one only then, or never (Overwrite).
+ * Documentation/FileFormat.md specifies the file.
  *
  * As soon as the coarsest grid is coded, that folder also has a preview: the file `preview.mp4` (or
  * `.mkv`) with all groups so far, which is replaced from time to time. Writing it takes at most one
@@ -239,6 +239,17 @@ public:
 
   ///@{
   /**
+   * Set/get whether an earlier file of that name is replaced. If off, Write fails if there is one
+   * at the start and, keeping the finished groups for a restart, if one has appeared by the end.
+   * Default: on.
+   */
+  vtkSetMacro(Overwrite, bool);
+  vtkGetMacro(Overwrite, bool);
+  vtkBooleanMacro(Overwrite, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/get the controller of the processes that write the file together, see above. Null means
    * that this process writes alone. Default: the global controller.
    */
@@ -343,6 +354,7 @@ private:
   bool Lossless;
   bool DepthFromGeometry;
   bool Restart;
+  bool Overwrite = true;
   double ActualCRF = 0.0;
   double ActualSize = 0.0;
   double ActualRatio = 0.0;

@@ -87,7 +87,7 @@ Result RunPath(const Options& options)
   for (const auto& camera : cameras)
   {
     seconds.push_back(renderer.Draw(camera, lookup));
-    writer->Add(renderer.Grab());
+    writer->Add(renderer.Grab(), 1);
     drawing->UpdateProgress(
       static_cast<double>(seconds.size()) / static_cast<double>(cameras.size()));
   }

@@ -52,6 +52,14 @@ struct Options
   std::string Picture;              ///< empty for none
   std::vector<std::string> Implied; ///< outputs that the command line does not name
   bool Overwrite = false;           ///< whether these may be replaced
+
+  /// Whether a file of this name may be replaced.
+  bool Replaces(const std::string& name) const
+  {
+    return this->Overwrite ||
+      std::find(this->Implied.begin(), this->Implied.end(), name) == this->Implied.end();
+  }
+
   int Viewpoints = options::Viewpoints.Default;
   int Resolution = options::Resolution.Default;
   double Offset = options::Offset.Default;
@@ -263,7 +271,7 @@ void CheckOutputs(const Options& options)
   }
   for (const std::string& name : options.Implied)
   {
-    if (!options.Overwrite)
+    if (!options.Replaces(name))
     {
       RequireReplaceable(name);
     }
@@ -291,7 +299,7 @@ Result Run(const Options& options)
   }
   if (!options.Picture.empty() && IsFirstRank())
   {
-    WriteScenePicture(options.Picture, options.Scene, scene);
+    WriteScenePicture(options.Picture, options.Scene, scene, options.Replaces(options.Picture));
     PrintNote(options.Picture + " is the first picture");
   }
   vtkNew<vtkCSLFSampler> sampler;
@@ -440,6 +448,7 @@ void AddSample(CLI::App& app, Command& chosen)
       if (options->Output.empty() && !options->Estimate)
       {
         NameOutputs(*options);
+        options->Coding.Overwrite = options->Replaces(options->Output);
       }
       SetShared(!options->Estimate && IsVideo(options->Output));
       chosen = [options] { return options->Estimate ? Estimate(*options) : Run(*options); };

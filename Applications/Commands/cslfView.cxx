@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <memory>
 
 namespace cslf::tool
@@ -64,7 +65,8 @@ struct Options
   CameraOptions Camera;
 };
 
-/// The trackball camera, with the viewer's keys instead of VTK's.
+/// The trackball camera, with the viewer's keys instead of VTK's. No exception passes through the
+/// event loop: the first one closes the window, and is thrown by Finish.
 class vtkFieldStyle : public vtkInteractorStyleTrackballCamera
 {
 public:
@@ -79,12 +81,48 @@ public:
     if (key == 'q' || key == 'e' || key == 'r')
     {
       this->Superclass::OnChar();
+      return;
     }
-    else if (this->Shown->Press(key))
+    this->Handle(
+      [this, key]
+      {
+        if (this->Shown->Press(key))
+        {
+          this->Shown->Render();
+        }
+      });
+  }
+
+  /// Handles an event, unless an earlier one has failed.
+  template <typename Handler>
+  void Handle(const Handler& handler)
+  {
+    if (this->Problem)
     {
-      this->Shown->Render();
+      return;
+    }
+    try
+    {
+      handler();
+    }
+    catch (...)
+    {
+      this->Problem = std::current_exception();
+      this->Interactor->TerminateApp();
     }
   }
+
+  /// To be called after the event loop.
+  void Finish() const
+  {
+    if (this->Problem)
+    {
+      std::rethrow_exception(this->Problem);
+    }
+  }
+
+private:
+  std::exception_ptr Problem;
 };
 vtkStandardNewMacro(vtkFieldStyle);
 
@@ -104,10 +142,11 @@ public:
     }
   }
 
-  /// Adds the window's picture, as often as the time since the start demands. Throws a Failure.
+  /// Adds the window's picture, for the time since the last one. Throws a Failure.
   void Update(double seconds, vtkRenderWindow* window)
   {
-    if (!this->Writer || this->Pictures > seconds * Rate)
+    const int due = static_cast<int>(seconds * Rate) + 1 - this->Frames;
+    if (!this->Writer || due <= 0)
     {
       return;
     }
@@ -120,10 +159,8 @@ public:
       resize->Update();
       picture = resize->GetOutput();
     }
-    for (; this->Pictures <= seconds * Rate; ++this->Pictures)
-    {
-      this->Writer->Add(picture);
-    }
+    this->Writer->Add(picture, due);
+    this->Frames += due;
   }
 
   void Finish()
@@ -137,7 +174,7 @@ public:
 private:
   int Size[3];
   std::unique_ptr<FrameWriter> Writer;
-  int Pictures = 0;
+  int Frames = 0; ///< that are written
 };
 
 /// An interactive run, for the timer.
@@ -152,23 +189,28 @@ struct Session
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
+void Advance(Session& session)
 {
-  auto* session = static_cast<Session*>(client);
-  const std::chrono::duration<double> age = std::chrono::steady_clock::now() - session->Start;
-  if (session->Seconds > 0.0 && age.count() > session->Seconds)
+  const std::chrono::duration<double> age = std::chrono::steady_clock::now() - session.Start;
+  if (session.Seconds > 0.0 && age.count() > session.Seconds)
   {
-    static_cast<vtkRenderWindowInteractor*>(caller)->TerminateApp();
+    session.Style->GetInteractor()->TerminateApp();
   }
-  else if (session->Style->GetState() == VTKIS_NONE)
+  else if (session.Style->GetState() == VTKIS_NONE)
   {
-    const bool isMissing = !session->Shown.IsComplete() || session->Field.Update();
-    if (session->Shown.Refine(session->TruthSamples) || isMissing)
+    const bool isMissing = !session.Shown.IsComplete() || session.Field.Update();
+    if (session.Shown.Refine(session.TruthSamples) || isMissing)
     {
-      session->Shown.Render();
+      session.Shown.Render();
     }
   }
-  session->Movie.Update(age.count(), session->Shown.GetWindow());
+  session.Movie.Update(age.count(), session.Shown.GetWindow());
+}
+
+void OnTimer(vtkObject*, unsigned long, void* client, void*)
+{
+  auto* session = static_cast<Session*>(client);
+  session->Style->Handle([session] { Advance(*session); });
 }
 
 void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
@@ -189,6 +231,7 @@ void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
   interactor->CreateRepeatingTimer(TimerMilliseconds);
   viewer.Render();
   interactor->Start();
+  style->Finish();
   ThrowOnError();
   session.Movie.Finish();
 }

@@ -82,11 +82,21 @@ std::vector<std::string> GetArguments(int argc, char* argv[])
   }
   if (!arguments.empty() && arguments.front() == "help")
   {
-    arguments.erase(arguments.begin());
+    const auto isOther = [](const std::string& argument) { return argument != "help"; };
+    arguments.erase(arguments.begin(), std::find_if(arguments.begin(), arguments.end(), isOther));
     arguments.emplace_back("--help");
   }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
+}
+
+/// Whether a parser's error is no error, but asks for the help or the version. The help of a
+/// command that does not exist is an error.
+bool IsRequest(const CLI::App& app, const CLI::ParseError& error)
+{
+  const bool isSuccess = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+  const bool isHelp = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
+  return isSuccess && !(isHelp && app.get_subcommands().empty() && !app.remaining().empty());
 }
 
 /// Reports wrong arguments. Without a command, that is the help.
@@ -150,12 +160,12 @@ int RunProgram(const Program& program, int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
+    const bool isRequest = IsRequest(app, error);
     if (!IsFirstRank())
     {
-      return error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success) ? EXIT_SUCCESS
-                                                                                : EXIT_FAILURE;
+      return isRequest ? EXIT_SUCCESS : EXIT_FAILURE;
     }
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    if (isRequest)
     {
       return app.exit(error);
     }

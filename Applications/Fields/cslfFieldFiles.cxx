@@ -429,6 +429,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   encoder->SetLossless(this->Lossless);
   encoder->SetDepthFromGeometry(this->DepthFromGeometry);
   encoder->SetRestart(this->Restart);
+  encoder->SetOverwrite(this->Overwrite);
 }
 #endif
 

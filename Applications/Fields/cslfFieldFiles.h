@@ -123,6 +123,7 @@ struct CodingOptions
   bool Lossless = options::Lossless.Default;
   bool DepthFromGeometry = options::DepthFromGeometry.Default;
   bool Restart = options::Restart.Default;
+  bool Overwrite = true; ///< whether a video may replace a file that exists when it is complete
   std::vector<std::string> Parts; ///< in the form that ReadParts takes
 
   void AddTo(CLI::App& command);

@@ -44,13 +44,13 @@ inline void RequireOther(const std::string& input, const std::string& output)
   }
 }
 
-/// Gives a finished AtomicFile or AtomicFolder its name.
-template <typename Whole>
-void PublishWhole(Whole& whole, const std::string& name)
+/// Gives a finished AtomicFile or AtomicFolder its name, with arguments of their Publish.
+template <typename Whole, typename... Arguments>
+void PublishWhole(Whole& whole, const std::string& name, Arguments... arguments)
 {
   std::string warning;
   std::string error;
-  if (!whole.Publish(warning, error))
+  if (!whole.Publish(warning, error, arguments...))
   {
     FailWriting(name, error);
   }
@@ -80,7 +80,8 @@ public:
   /// The name of the temporary file.
   const std::string& GetTemporaryName() const { return this->Whole.GetTemporaryName(); }
 
-  void Publish() { PublishWhole(this->Whole, this->FileName); }
+  /// Unless it `replaces`, it throws a Failure if there is something of that name.
+  void Publish(bool replaces = true) { PublishWhole(this->Whole, this->FileName, replaces); }
 
 private:
   std::string FileName;
@@ -121,7 +122,8 @@ void WriteWhole(Writer* writer, const std::string& fileName)
 }
 
 /// Writes bytes likewise.
-inline void WriteWholeBytes(const void* bytes, std::size_t count, const std::string& fileName)
+inline void WriteWholeBytes(
+  const void* bytes, std::size_t count, const std::string& fileName, bool replaces = true)
 {
   OutputFile file(fileName);
   std::string error;
@@ -129,7 +131,7 @@ inline void WriteWholeBytes(const void* bytes, std::size_t count, const std::str
   {
     FailWriting(fileName, error);
   }
-  file.Publish();
+  file.Publish(replaces);
 }
 
 inline void WriteWholeText(const std::string& text, const std::string& fileName)

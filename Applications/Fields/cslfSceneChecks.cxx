@@ -17,6 +17,8 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -94,6 +96,7 @@ class XMLChecker
 public:
   explicit XMLChecker(const fs::path& path)
     : Path(path)
+    , File(path, std::ios::binary)
   {
     std::error_code failure;
     const double bytes = static_cast<double>(fs::file_size(path, failure));
@@ -214,8 +217,39 @@ private:
       const std::optional<double> number = words.empty() ? std::nullopt : ToNumber(words[0]);
       if (number && !std::isfinite(*number))
       {
-        throw Failure(ToName(this->Path.filename()) +
-          " has an array with coordinates or other values that are not finite.");
+        this->FailNotFinite();
+      }
+    }
+  }
+
+  /// VTK reads NaN in arrays of text, and positive infinity if it is called so. Other spellings end
+  /// an array, as does a NaN that no space follows.
+  void CheckWords(vtkXMLDataElement* element)
+  {
+    const char* name = element->GetName();
+    const char* type = element->GetAttribute("type");
+    const char* format = element->GetAttribute("format");
+    if (!name || std::string(name) != "DataArray" || !type ||
+      std::string(type).rfind("Float", 0) != 0 || !format || ToLower(format) != "ascii")
+    {
+      return;
+    }
+    this->File.clear();
+    this->File.seekg(element->GetXMLByteIndex());
+    this->File.ignore(std::numeric_limits<std::streamsize>::max(), '>');
+    bool isEnd = false;
+    for (std::string word; !isEnd && this->File >> word;)
+    {
+      const std::size_t end = word.find('<');
+      isEnd = end != std::string::npos;
+      if (word.find_first_of("nN") < end)
+      {
+        const std::string text = ToLower(word.substr(0, end));
+        const bool isRead = text == "nan" || text == "-nan" || text == "inf" || text == "+inf";
+        if (ToNumber(text) && (isEnd || !isRead))
+        {
+          this->FailNotFinite();
+        }
       }
     }
   }
@@ -224,6 +258,7 @@ private:
   {
     this->CheckType(element);
     this->CheckRange(element);
+    this->CheckWords(element);
     for (int i = 0; i < element->GetNumberOfAttributes(); ++i)
     {
       const std::string name = element->GetAttributeName(i);
@@ -313,6 +348,12 @@ private:
     }
   }
 
+  [[noreturn]] void FailNotFinite() const
+  {
+    throw Failure(ToName(this->Path.filename()) +
+      " has an array with coordinates or other values that are not finite.");
+  }
+
   [[noreturn]] void Fail(const std::string& what) const
   {
     throw Failure(ToName(this->Path.filename()) + " declares " + what +
@@ -320,6 +361,7 @@ private:
   }
 
   fs::path Path;
+  std::ifstream File;
   double Limit = 0.0;
   double MaximumCount = 0.0;
   double Blocks = 0.0;

@@ -3,6 +3,7 @@
 #include "cslfFrameFiles.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfSceneText.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfMovie.h"
@@ -13,9 +14,11 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <system_error>
 #include <vector>
@@ -65,16 +68,18 @@ public:
     }
   }
 
-  void Add(vtkImageData* picture) override
+  void Add(vtkImageData* picture, int frames) override
   {
     const auto bytes = EncodePNG(picture);
-    std::string error;
-    if (!MakeFile(this->Whole.GetTemporaryName() + "/" + NameFrame(this->Frames),
-          bytes->GetPointer(0), bytes->GetNumberOfValues(), error))
+    for (int end = this->Frames + frames; this->Frames < end; ++this->Frames)
     {
-      FailWriting(this->Folder, error);
+      std::string error;
+      if (!MakeFile(this->Whole.GetTemporaryName() + "/" + NameFrame(this->Frames),
+            bytes->GetPointer(0), bytes->GetNumberOfValues(), error))
+      {
+        FailWriting(this->Folder, error);
+      }
     }
-    ++this->Frames;
   }
 
   void Finish() override { PublishWhole(this->Whole, this->Folder); }
@@ -94,12 +99,52 @@ public:
   {
   }
 
-  void Add(vtkImageData* picture) override { this->File.Add(picture); }
+  void Add(vtkImageData* picture, int frames) override { this->File.Add(picture, frames); }
   void Finish() override { this->File.Publish(); }
 
 private:
   ImageFile File;
 };
+
+/// Multiplies the delays of the pictures of a GIF, as OpenImageIO writes one delay for all. False
+/// if the file cannot be changed.
+bool ScaleDelays(const std::string& fileName, const std::vector<int>& factors)
+{
+  constexpr std::size_t header = 13;
+  constexpr unsigned char extension = 0x21;
+  constexpr unsigned char control = 0xf9;
+  constexpr unsigned char image = 0x2c;
+  constexpr unsigned int most = 0xffff;
+  std::string bytes = ReadBytes(fileName);
+  const auto at = [&bytes](std::size_t i)
+  { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
+  const auto tableSize = [](unsigned int flags)
+  { return (flags & 0x80) != 0 ? std::size_t{ 6 } << (flags & 7) : 0; };
+  std::size_t picture = 0;
+  std::size_t place = header + tableSize(at(10));
+  while (at(place) == extension || at(place) == image)
+  {
+    if (at(place) == extension && at(place + 1) == control && picture < factors.size() &&
+      place + 5 < bytes.size())
+    {
+      const unsigned int delay =
+        std::min((at(place + 4) | at(place + 5) << 8) * factors[picture++], most);
+      bytes[place + 4] = static_cast<char>(delay & 0xff);
+      bytes[place + 5] = static_cast<char>(delay >> 8);
+    }
+    // Blocks of data follow, the last of which is empty.
+    place += at(place) == extension ? 2 : 11 + tableSize(at(place + 9));
+    while (at(place) != 0)
+    {
+      place += 1 + at(place);
+    }
+    ++place;
+  }
+  std::fstream file(ToPath(fileName), std::ios::binary | std::ios::in | std::ios::out);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return picture == factors.size() && !file.fail();
+}
 
 /// Whether a file can be decoded as an image. OpenImageIO does not notice all disk errors.
 bool IsWholeImage(const std::string& fileName)
@@ -150,6 +195,7 @@ struct ImageFile::Output
   std::unique_ptr<OIIO::ImageOutput> Writer;
   OIIO::ImageSpec Spec;
   int Pictures = 0;
+  std::vector<int> Frames; ///< for which each picture is shown
 };
 
 ImageFile::ImageFile(const std::string& fileName, const int size[2], double frameRate)
@@ -176,7 +222,7 @@ ImageFile::ImageFile(const std::string& fileName, const int size[2], double fram
 
 ImageFile::~ImageFile() = default;
 
-void ImageFile::Add(vtkImageData* picture)
+void ImageFile::Add(vtkImageData* picture, int frames)
 {
   OIIO::ImageOutput& writer = *this->Image->Writer;
   const OIIO::ImageSpec& spec = this->Image->Spec;
@@ -192,6 +238,7 @@ void ImageFile::Add(vtkImageData* picture)
     FailWriting(this->File.GetName(), writer.geterror());
   }
   ++this->Image->Pictures;
+  this->Image->Frames.push_back(frames);
 }
 
 void ImageFile::Publish()
@@ -200,6 +247,13 @@ void ImageFile::Publish()
   if (!isClosed || !IsWholeImage(this->File.GetTemporaryName()))
   {
     FailWriting(this->File.GetName(), isClosed ? "" : this->Image->Writer->geterror());
+  }
+  const std::vector<int>& frames = this->Image->Frames;
+  const bool isEven =
+    std::all_of(frames.begin(), frames.end(), [](int count) { return count == 1; });
+  if (!isEven && !ScaleDelays(this->File.GetTemporaryName(), frames))
+  {
+    FailWriting(this->File.GetName(), "");
   }
   this->File.Publish();
 }

@@ -25,8 +25,9 @@ class FrameWriter
 public:
   virtual ~FrameWriter() = default;
 
-  /// Adds a picture of red, green and blue bytes. Throws a Failure.
-  virtual void Add(vtkImageData* picture) = 0;
+  /// Adds a picture of red, green and blue bytes, which is shown for so many frames' time. Movies
+  /// contain it once. Throws a Failure.
+  virtual void Add(vtkImageData* picture, int frames) = 0;
 
   /// Moves the result to its place. Throws a Failure.
   virtual void Finish() = 0;
@@ -49,8 +50,9 @@ public:
   ImageFile(const std::string& fileName, const int size[2], double frameRate);
   ~ImageFile();
 
-  /// Adds a picture of red, green and blue bytes. Throws a Failure.
-  void Add(vtkImageData* picture);
+  /// Adds a picture of red, green and blue bytes, which a movie shows for so many frames' time.
+  /// Throws a Failure.
+  void Add(vtkImageData* picture, int frames = 1);
   void Publish();
 
 private:

@@ -59,11 +59,12 @@ public:
     this->Packet.reset(av_packet_alloc());
     this->Check(this->Packet ? 0 : AVERROR(ENOMEM));
     this->Frame = this->MakeFrame(width, height);
+    this->Frame->pts = -1; // there is none yet
     this->Colors.resize(static_cast<std::size_t>(ColorBytes) * width * height);
     this->OpenContainer();
   }
 
-  void Add(vtkImageData* picture) override
+  void Add(vtkImageData* picture, int frames) override
   {
     // VTK's pictures begin with the bottom row, those of videos with the top row.
     const int width = this->Frame->width;
@@ -86,14 +87,17 @@ public:
     {
       this->PutRGB();
     }
-    this->Frame->pts = this->Frames;
-    ++this->Frames;
-    this->Check(avcodec_send_frame(this->Encoder.get(), this->Frame.get()));
-    this->WritePackets();
+    this->Encode(this->Frames);
+    this->Frames += frames;
   }
 
   void Finish() override
   {
+    // The end of the last picture, whose duration no other picture tells.
+    if (this->Frames > this->Frame->pts + 1)
+    {
+      this->Encode(this->Frames - 1);
+    }
     this->Check(avcodec_send_frame(this->Encoder.get(), nullptr));
     this->WritePackets();
     this->Check(av_write_trailer(this->Output.get()));
@@ -193,6 +197,14 @@ private:
     }
   }
 
+  /// Encodes the picture to be shown from this frame on.
+  void Encode(int frame)
+  {
+    this->Frame->pts = frame;
+    this->Check(avcodec_send_frame(this->Encoder.get(), this->Frame.get()));
+    this->WritePackets();
+  }
+
   /// Passes on all packets that the encoder has ready.
   void WritePackets()
   {
@@ -218,7 +230,7 @@ private:
   AVHandle<AVPacket> Packet;
   AVOutput Output;
   AVStream* Stream = nullptr;
-  int Frames = 0;
+  int Frames = 0; ///< that are shown by the pictures so far
 };
 }
 

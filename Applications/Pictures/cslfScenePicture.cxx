@@ -180,7 +180,8 @@ bool IsOwnPicture(const std::string& fileName)
 }
 }
 
-void WriteScenePicture(const std::string& fileName, const SceneOptions& options, const Scene& scene)
+void WriteScenePicture(
+  const std::string& fileName, const SceneOptions& options, const Scene& scene, bool replacesOthers)
 {
   vtkNew<vtkCSLFViewTracer> tracer;
   options.Apply(scene, tracer);
@@ -208,7 +209,8 @@ void WriteScenePicture(const std::string& fileName, const SceneOptions& options,
   writer->Write();
   ThrowOnError();
   const vtkSmartPointer<vtkUnsignedCharArray> bytes = writer->GetResult();
-  WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName);
+  WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName,
+    replacesOthers || IsOwnPicture(fileName));
 }
 
 void RequireReplaceable(const std::string& fileName)

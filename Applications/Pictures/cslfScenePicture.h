@@ -15,9 +15,10 @@ class Scene;
 class SceneOptions;
 
 /// Traces a view that the scene fills, over a dark background, and writes it as a PNG that
-/// RequireReplaceable recognizes. Throws a Failure.
-void WriteScenePicture(
-  const std::string& fileName, const SceneOptions& options, const Scene& scene);
+/// RequireReplaceable recognizes. Throws a Failure, also if another file exists by then which must
+/// not be replaced.
+void WriteScenePicture(const std::string& fileName, const SceneOptions& options, const Scene& scene,
+  bool replacesOthers);
 
 /// Throws a Failure if a file exists, unless WriteScenePicture has made it.
 void RequireReplaceable(const std::string& fileName);

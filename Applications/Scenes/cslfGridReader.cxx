@@ -7,6 +7,7 @@
 #include "Fields/cslfSceneChecks.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfDescription.h"
+#include "cslfGridText.h"
 #include "cslfJoin.h"
 
 #include <vtkCellArray.h>
@@ -33,6 +34,8 @@
 #include <vtkVertexGlyphFilter.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLGenericDataObjectReader.h>
+#include <vtkXMLPPolyDataReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLPartitionedDataSetCollectionReader.h>
 #include <vtkXMLPartitionedDataSetReader.h>
 
@@ -449,16 +452,34 @@ void RequireValues()
   }
 }
 
+/// Whether a file may be of the formats that IsEmptyGrid knows.
+bool IsXMLGrid(const std::string& fileName)
+{
+  const std::string extension = ToLower(ToName(ToPath(fileName).extension()));
+  return extension == ".vtp" || extension == ".vtu";
+}
+
+/// Reads a file, or the text that stands for it unless that is empty.
 template <typename Reader>
-Part Read(const std::string& fileName, double mostPoints, double mostBytes)
+Part Read(const std::string& fileName, double mostPoints, double mostBytes,
+  const std::string& text = std::string())
 {
   const auto read = [&](SurfaceMaker& maker)
   {
     vtkNew<Reader> reader;
     reader->SetFileName(fileName.c_str());
+    if (!text.empty())
+    {
+      reader->SetReadFromInputString(true);
+      reader->SetInputString(text);
+    }
     reader->Update();
     ThrowOnError();
     RequireValues();
+    if (!text.empty())
+    {
+      RestoreNotFinite(reader->GetOutputDataObject(0));
+    }
     return ToSurfaces(reader->GetOutputDataObject(0), maker);
   };
   RequireSafe(
@@ -481,6 +502,16 @@ vtkSmartPointer<vtkDataObject> ReadXMLGrid(const std::string& fileName)
   // Extents and numbers of values are checked.
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   const std::string extension = ToLower(ToName(ToPath(fileName).extension()));
+  if (extension == ".pvtp" || extension == ".pvtu")
+  {
+    const std::string text = LeaveOutEmptyPieces(fileName);
+    if (!text.empty())
+    {
+      return extension == ".pvtp"
+        ? Read<vtkXMLPPolyDataReader>(fileName, unlimited, unlimited, text)
+        : Read<vtkXMLPUnstructuredGridReader>(fileName, unlimited, unlimited, text);
+    }
+  }
   // VTK's generic reader knows these two since 9.2 only.
   return extension == ".vtpd" ? Read<vtkXMLPartitionedDataSetReader>(fileName, unlimited, unlimited)
     : extension == ".vtpc"
@@ -493,8 +524,8 @@ vtkSmartPointer<vtkDataObject> ReadLegacyGrid(const std::string& fileName)
   std::error_code failure;
   const auto size = std::filesystem::file_size(ToPath(fileName), failure);
   const double bytes = failure ? 0.0 : static_cast<double>(size);
-  return Read<vtkGenericDataObjectReader>(
-    fileName, std::max(PointsPerByte * bytes, MinimumLimit), BytesPerByte * bytes + MinimumMemory);
+  return Read<vtkGenericDataObjectReader>(fileName, std::max(PointsPerByte * bytes, MinimumLimit),
+    BytesPerByte * bytes + MinimumMemory, ReplaceNotFinite(fileName));
 }
 
 vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,
@@ -525,9 +556,16 @@ vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (const std::string& name : names)
   {
+    const std::string file = ToName(ToPath(fileName).parent_path() / ToPath(name));
     Part& part = parts[name];
-    part = part ? part : read(ToName(ToPath(fileName).parent_path() / ToPath(name)));
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+    if (!part && !(IsXMLGrid(file) && IsEmptyGrid(file)))
+    {
+      part = read(file);
+    }
+    if (part)
+    {
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
+    }
   }
   if (steps.size() > 1)
   {

@@ -46,9 +46,9 @@ bool AtomicFile::Open(std::string& error)
   return true;
 }
 
-bool AtomicFile::Publish(std::string& warning, std::string& error)
+bool AtomicFile::Publish(std::string& warning, std::string& error, bool replaces)
 {
-  if (!PublishFile(this->Temporary, this->Work.GetTarget(), error))
+  if (!PublishFile(this->Temporary, this->Work.GetTarget(), error, replaces))
   {
     return false;
   }

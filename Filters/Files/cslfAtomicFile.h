@@ -28,9 +28,9 @@ public:
   /// The file to write, with the same extension.
   const std::string& GetTemporaryName() const { return this->Temporary; }
 
-  /// Flushes the file to the disk and replaces an earlier one, whose permissions it gets. A warning
-  /// says what could not be removed.
-  bool Publish(std::string& warning, std::string& error);
+  /// Flushes the file to the disk and replaces an earlier one, whose permissions it gets, or fails
+  /// if there is one and `replaces` is not set. A warning says what could not be removed.
+  bool Publish(std::string& warning, std::string& error, bool replaces = true);
 
 private:
   WorkFolder Work;

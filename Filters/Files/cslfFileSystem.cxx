@@ -89,14 +89,18 @@ bool InputFile::HasChanged() const
   return now.Size != this->Opened.Size || now.Time != this->Opened.Time;
 }
 
-bool PublishFile(const std::string& from, const std::string& to, std::string& error)
+bool PublishFile(const std::string& from, const std::string& to, std::string& error, bool replaces)
 {
   if (!SyncFile(from, error))
   {
     return false;
   }
-  CopyAccess(to, from);
-  return Rename(from, to, error) && SyncFolder(GetParent(to), error);
+  if (replaces)
+  {
+    CopyAccess(to, from);
+  }
+  return (replaces ? Rename(from, to, error) : RenameToFree(from, to, error)) &&
+    SyncFolder(GetParent(to), error);
 }
 
 double GetFreeBytes(const std::string& name)

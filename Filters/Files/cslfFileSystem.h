@@ -69,6 +69,14 @@ VTKCSLF_EXPORT bool IsReplaceableByFile(const std::string& name, std::string& er
 /// Renames within one file system, and replaces the second name if that is a file.
 bool Rename(const std::string& from, const std::string& to, std::string& error);
 
+/// The error if a name was free at first.
+constexpr const char* NameIsTaken =
+  "a file of that name has appeared meanwhile; move it elsewhere, or overwrite it";
+
+/// The same, but fails if the second name is taken. That is one step, so nothing is replaced that
+/// appears meanwhile, except on file systems that have neither such steps nor hard links.
+bool RenameToFree(const std::string& from, const std::string& to, std::string& error);
+
 /// A file that is open for reading. It keeps its contents if another file gets its name. Several
 /// threads, and forked processes, may read it at once, as it has no position.
 class VTKCSLF_EXPORT InputFile
@@ -116,8 +124,10 @@ bool SyncTree(const std::string& name, std::string& error);
 ///@}
 
 /// Flushes a finished file to the disk, gives it the access of the file that it replaces, renames
-/// it and flushes its name. After a crash, the old file or the complete new one exists.
-bool PublishFile(const std::string& from, const std::string& to, std::string& error);
+/// it and flushes its name. After a crash, the old file or the complete new one exists. Unless it
+/// `replaces`, it fails if there is something of that name.
+bool PublishFile(
+  const std::string& from, const std::string& to, std::string& error, bool replaces = true);
 
 /// Whether files can be made in a folder.
 VTKCSLF_EXPORT bool IsWritableFolder(const std::string& name, std::string& error);

@@ -12,6 +12,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -322,6 +323,37 @@ void TestLock(vtkImageData* field, const std::string& fileName, const std::vecto
   CSLF_CHECK(ReadBytes(fileName) == expected);
   CSLF_CHECK(!cslf::testing::Exists(fileName + ".partial"));
 }
+
+/// A file appears under the name while the field is written. It stays, and the groups wait for the
+/// next run.
+void TestOverwrite(vtkImageData* field, std::string fileName, const std::vector<char>& expected)
+{
+  const auto keep = [](vtkCSLFEncoder* encoder) { encoder->OverwriteOff(); };
+  const std::vector<char> mine = { 'm', 'i', 'n', 'e' };
+  fs::remove(fileName);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(field);
+  Set(encoder, fileName, keep);
+  vtkNew<vtkCallbackCommand> appear;
+  appear->SetClientData(&fileName);
+  appear->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) {
+      cslf::testing::WriteBytes(*static_cast<std::string*>(data), { 'm', 'i', 'n', 'e' });
+    });
+  encoder->AddObserver(vtkCommand::ProgressEvent, appear);
+  for (const char* error : { "has appeared meanwhile", "it exists" })
+  {
+    const cslf::testing::Observed observed(encoder);
+    CSLF_CHECK(encoder->Write() == 0);
+    CSLF_CHECK(observed.HasError(error));
+    CSLF_CHECK(encoder->GetErrorCode() == vtkErrorCode::CannotOpenFileError);
+    CSLF_CHECK(ReadBytes(fileName) == mine);
+  }
+  fs::remove(fileName);
+  const Outcome outcome = Write(field, fileName, keep);
+  CSLF_CHECK(outcome.Written && outcome.Slices == 1);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+}
 }
 
 int TestCSLFEncoderRestart(int argc, char* argv[])
@@ -338,6 +370,7 @@ int TestCSLFEncoderRestart(int argc, char* argv[])
   TestForeign(field, remains, fileName, expected);
   TestChange(field, remains, fileName);
   TestLock(field, fileName, expected);
+  TestOverwrite(field, fileName, expected);
   TestTarget(cslf::testing::MakeByteField(9, 16), folder + "/target.mp4");
   return cslf::testing::Result();
 }

@@ -151,3 +151,84 @@ foreach (name IN ITEMS verts.vtp points.vtp points.vtu)
   cslf_run(compare ${name}.png verts.vtp.png --json)
   expect_json_at_least(60 psnr)
 endforeach ()
+
+# Pieces without points, as VTK's writers make them, are left out.
+write_xml(empty.vtu UnstructuredGrid "" "NumberOfPoints=\"0\" NumberOfCells=\"0\""
+  "<PointData/><CellData/><Points/><Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\"/>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\"/><DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\"/></Cells>")
+write_xml(empty.vtp PolyData "" "NumberOfPoints=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\""
+  "<PointData/><CellData/><Points/><Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\"/>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\"/></Polys>")
+file(WRITE "${DIRECTORY}/none.vtu" "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid/></VTKFile>\n")
+function (write_pieces name kind)
+  set(pieces)
+  foreach (piece IN LISTS ARGN)
+    string(APPEND pieces "<Piece Source=\"${piece}\"/>")
+  endforeach ()
+  file(WRITE "${DIRECTORY}/${name}" "<VTKFile type=\"P${kind}\" version=\"0.1\" byte_order=\"LittleEndian\">
+<P${kind} GhostLevel=\"0\">${header}${pieces}</P${kind}></VTKFile>\n")
+endfunction ()
+write_pieces(pieces.pvtu UnstructuredGrid empty.vtu cube.vtu none.vtu)
+cslf_warn(1 "Its active scalars are Heat.\n$" export pieces.pvtu -o exported.obj --json)
+expect_json(48 triangles)
+write_pieces(pieces.pvtp PolyData verts.vtp empty.vtp)
+cslf_run(trace pieces.pvtp -o pieces.png ${view})
+cslf_run(compare pieces.png verts.vtp.png --json)
+expect_json_at_least(60 psnr)
+write_pieces(nothing.pvtu UnstructuredGrid empty.vtu none.vtu)
+cslf_fail("Cannot read nothing.pvtu: it has no cells" "x" export nothing.pvtu -o x.obj)
+file(WRITE "${DIRECTORY}/pieces.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
+<DataSet timestep=\"0\" part=\"0\" file=\"empty.vtp\"/><DataSet timestep=\"0\" part=\"1\" file=\"cube.vtu\"/>
+</Collection></VTKFile>\n")
+cslf_warn(1 "Its active scalars are Heat.\n$" export pieces.pvd -o exported.obj --json)
+expect_json(48 triangles)
+
+# In files of text, NaN among scalars has the grey of the look, and cells of points that are not
+# finite are left out. `value` and `corner` are those of the fourth point.
+function (write_square value corner)
+  set(square "0 0 0 1 0 0 1 1 0 ${corner} 1 0")
+  file(WRITE "${DIRECTORY}/square.vtk" "${legacy}POLYDATA\nPOINTS 4 float\n${square}
+POLYGONS 2 8\n3 0 1 2\n3 0 2 3\nCELL_DATA 2\nSCALARS nan float 1\nLOOKUP_TABLE default\n1\n${value} \n")
+  write_xml(square.vtp PolyData "" "NumberOfPoints=\"4\" NumberOfPolys=\"2\""
+    "<CellData Scalars=\"nan\"><DataArray type=\"Float32\" Name=\"nan\" format=\"ascii\">1 ${value} </DataArray></CellData>
+<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">${square} </DataArray></Points>
+<Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 0 2 3 </DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6 </DataArray></Polys>")
+endfunction ()
+set(close --position 0.3 0.7 0.5 --focal-point 0.3 0.7 0 --size 32 24 --spp 16 --light white)
+file(WRITE "${DIRECTORY}/square.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
+cslf_run(trace square.obj -o expected.png ${close} --base-color 0.6 0.6 0.6)
+foreach (value IN ITEMS nan -nan NaN)
+  write_square(${value} 0)
+  foreach (name IN ITEMS square.vtk square.vtp)
+    cslf_run(trace ${name} -o value.png ${close} --color-by nan --range 0 2)
+    cslf_run(compare value.png expected.png --json)
+    expect_json_at_least(32 psnr)
+  endforeach ()
+endforeach ()
+foreach (value IN ITEMS inf -inf Infinity -Infinity)
+  write_square(${value} 0)
+  cslf_run(trace square.vtk -o value.png ${close} --color-by nan --range 0 1)
+  string(REGEX REPLACE "^-.*" 0 finite "${value}")
+  string(REGEX REPLACE "^[iI].*" 1 finite "${finite}")
+  write_square(${finite} 0)
+  cslf_run(trace square.vtk -o finite.png ${close} --color-by nan --range 0 1)
+  cslf_run(compare value.png finite.png --json)
+  expect_json_at_least(32 psnr)
+endforeach ()
+foreach (corner IN ITEMS nan -nan inf -inf)
+  write_square(2 ${corner})
+  set(names square.vtk square.vtp)
+  if (corner STREQUAL "-inf")
+    set(names square.vtk)
+  endif ()
+  foreach (name IN LISTS names)
+    cslf_warn(1 "1 polygon.s. with coordinates that are not finite" trace ${name} -o x.png ${close})
+  endforeach ()
+endforeach ()
+# VTK's reader would stop at these.
+foreach (value IN ITEMS Infinity -inf)
+  write_square(${value} 0)
+  cslf_fail("square.vtp has an array with coordinates or other values that are not finite" "none"
+    trace square.vtp -o none.png ${close})
+endforeach ()

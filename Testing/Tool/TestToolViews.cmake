@@ -105,6 +105,49 @@ if (bytes LESS 1000)
   message(FATAL_ERROR "The window's record has ${bytes} bytes.")
 endif ()
 
+# However slowly the window is drawn, its record lasts as long as it was open. Movies have only the
+# pictures that were drawn, folders one for each frame.
+set(slow cornell-box --keys t --size 1200 900 --close-after 2 --threads 1)
+find_program(FFPROBE ffprobe)
+if (HAS_ENCODER AND FFPROBE)
+  cslf_run(view box.vti ${slow} --record window.mkv)
+  execute_process(
+    COMMAND "${FFPROBE}" -v error -count_packets -select_streams v:0 -of csv=p=0
+      -show_entries stream=nb_read_packets:format=duration window.mkv
+    WORKING_DIRECTORY "${DIRECTORY}"
+    OUTPUT_VARIABLE probed)
+  if (NOT probed MATCHES "^([0-9]+)[^\n]*\n([0-9]+)[.]([0-9])")
+    message(FATAL_ERROR "window.mkv has: ${probed}")
+  endif ()
+  math(EXPR frames "25 * (10 * ${CMAKE_MATCH_2} + ${CMAKE_MATCH_3}) / 10")
+  if (frames LESS 48 OR NOT CMAKE_MATCH_1 LESS frames)
+    message(FATAL_ERROR "window.mkv has ${CMAKE_MATCH_1} pictures for ${frames} frames.")
+  endif ()
+endif ()
+cslf_run(view box.vti ${slow} --record frames)
+file(GLOB frames "${DIRECTORY}/frames/frame-*.png")
+list(LENGTH frames count)
+if (count LESS 50)
+  message(FATAL_ERROR "The window's record has ${count} frames for two seconds.")
+endif ()
+# If it cannot be written, the window closes, and says once why.
+if (NOT CMAKE_HOST_WIN32)
+  execute_process(
+    COMMAND bash -c "
+      '${CSLF}' view box.vti --close-after 60 --size 96 96 --record lost 2> log.txt &
+      while kill -0 $! && ! ls -d lost.partial/*/new; do sleep 0.01; done
+      mv lost.partial/*/new gone
+      wait $!"
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_QUIET
+    ERROR_QUIET)
+  file(READ "${DIRECTORY}/log.txt" error)
+  if (NOT result STREQUAL "1" OR NOT error MATCHES "^cslf: error: Cannot write lost: [^\n]+\n$")
+    message(FATAL_ERROR "The record was lost, and viewing ended with ${result}: ${error}")
+  endif ()
+endif ()
+
 # The background is that of all commands, also beside the path-traced scene and in cells without a
 # pane: from far away nothing else is seen but labels.
 set(far --position 0 0 100 --size 800 400)

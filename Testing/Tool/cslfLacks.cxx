@@ -4,7 +4,11 @@
 // Loaded before all other libraries (LD_PRELOAD), this takes from a program what machines may lack:
 //   CSLF_LACKS_DECODER=av1  FFmpeg's decoder of that codec;
 //   CSLF_LACKS_MEMORY=n     memory, from the n-th allocation of 4 KiB or more on, counted since the
-//                           first file was opened by FFmpeg.
+//                           first file was opened by FFmpeg;
+//   CSLF_LACKS_NAME=x       the free name x: a file gets it just before another would, if that is
+//                           not to replace anything;
+//   CSLF_LACKS_FLAGS=1      a file system whose files can be renamed without replacing others;
+//   CSLF_LACKS_LINKS=1      one with hard links.
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -12,6 +16,8 @@
 #include <cstring>
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace
 {
@@ -29,6 +35,23 @@ bool IsThere(std::size_t bytes)
   }
   errno = ENOMEM;
   return false;
+}
+
+/// Makes the file that is in the way if that is the name.
+void TakeName(const char* name)
+{
+  constexpr char text[] = "mine";
+  const char* taken = std::getenv("CSLF_LACKS_NAME");
+  const char* slash = std::strrchr(name, '/');
+  if (taken && std::strcmp(slash ? slash + 1 : name, taken) == 0)
+  {
+    const int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file >= 0)
+    {
+      (void)!write(file, text, sizeof(text) - 1);
+      close(file);
+    }
+  }
 }
 
 /// The function that this one stands for.
@@ -65,6 +88,30 @@ extern "C"
   {
     *memory = IsThere(bytes) ? __libc_memalign(alignment, bytes) : nullptr;
     return *memory ? 0 : ENOMEM;
+  }
+
+  int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned int flags)
+  {
+    TakeName(to);
+    if (std::getenv("CSLF_LACKS_FLAGS"))
+    {
+      errno = EINVAL;
+      return -1;
+    }
+    using Rename = int(int, const char*, int, const char*, unsigned int);
+    static auto* const next = FindNext<Rename>("renameat2");
+    return next(fromFolder, from, toFolder, to, flags);
+  }
+
+  int link(const char* from, const char* to)
+  {
+    if (std::getenv("CSLF_LACKS_LINKS"))
+    {
+      errno = EPERM;
+      return -1;
+    }
+    static auto* const next = FindNext<int(const char*, const char*)>("link");
+    return next(from, to);
   }
 
   int avformat_open_input(void* context, const char* url, const void* format, void* options)

@@ -63,6 +63,19 @@ void WriteFile(const std::string& text, const std::string& program)
   Check(Read(FileName) == text, "the file's text", Read(FileName));
 }
 
+void KeepFile()
+{
+  const std::string text = Read(FileName);
+  std::string warning;
+  std::string error;
+  cslf::AtomicFile file(FileName);
+  Check(file.Open(error), "open", error);
+  Write(file.GetTemporaryName(), "another");
+  Check(!file.Publish(warning, error, false) && error == cslf::NameIsTaken,
+    "publish where a file is", error);
+  Check(Read(FileName) == text, "the text of the file that stays", Read(FileName));
+}
+
 void WriteFolder(const std::string& text)
 {
   std::string warning;
@@ -87,6 +100,7 @@ int main(int argc, char* argv[])
     WriteFile(text, argv[0]);
     WriteFolder(text);
   }
+  KeepFile();
   std::string error;
   const std::vector<std::string> names = cslf::ListFolder(".");
   Check(names == std::vector<std::string>{ FolderName, FileName }, "other files stayed",

@@ -151,6 +151,12 @@ bool EncodeSession::CheckHere()
   {
     return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
   }
+  std::error_code ignored;
+  if (this->Peers.GetRank() == 0 && !this->Job.Overwrite &&
+    std::filesystem::exists(std::filesystem::symlink_status(ToPath(this->Job.FileName), ignored)))
+  {
+    return this->FailWriting(vtkErrorCode::CannotOpenFileError, "it exists");
+  }
   fault = FindError(this->Job.Settings, this->Grid->GetResolution());
   if (!fault.empty())
   {
@@ -494,9 +500,11 @@ bool EncodeSession::FinishFile()
   Phase phase(this->Job.Reporter, "Writing the file");
   const auto report = [&phase](double share) { return phase.Report(share); };
   std::string warning;
-  if (!this->Writer->Finish(report, warning, error))
+  if (!this->Writer->Finish(this->Job.Overwrite, report, warning, error))
   {
-    return this->FailWriting(vtkErrorCode::UnknownError, error);
+    const bool isTaken = error == NameIsTaken;
+    return this->FailWriting(
+      isTaken ? vtkErrorCode::CannotOpenFileError : vtkErrorCode::UnknownError, error);
   }
   if (!warning.empty())
   {

@@ -38,6 +38,7 @@ struct EncodeJob
   std::function<std::optional<FilePart>(const Description&, const std::vector<FilePart>&)>
     GetGeometry;
   bool Restart = true;
+  bool Overwrite = true; ///< whether an earlier file is replaced
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information
   vtkMultiProcessController* Controller = nullptr;

@@ -403,13 +403,13 @@ std::string FieldWriter::DescribeKept(int stored) const
     ", and the next run resumes from them";
 }
 
-bool FieldWriter::Finish(
-  const std::function<bool(double)>& progress, std::string& warning, std::string& error)
+bool FieldWriter::Finish(bool replaces, const std::function<bool(double)>& progress,
+  std::string& warning, std::string& error)
 {
   this->DropFullCoverage();
   this->Parts.DropPreview();
   return this->HasRoom(error) && this->Join(this->Parts.GetWholeName(), progress, error) &&
-    this->Parts.Publish(warning, error);
+    this->Parts.Publish(replaces, warning, error);
 }
 
 /// Joins the stored groups.

@@ -111,10 +111,11 @@ public:
   /// and `error` gives the reason.
   bool WritePreview(std::string& error);
 
-  /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop. A
-  /// warning says what was left beside the file.
-  bool Finish(
-    const std::function<bool(double)>& progress, std::string& warning, std::string& error);
+  /// Joins all groups to the file, which replaces an earlier one only if `replaces` is set.
+  /// `progress` gets numbers from 0 to 1 and returns false to stop. A warning says what was left
+  /// beside the file.
+  bool Finish(bool replaces, const std::function<bool(double)>& progress, std::string& warning,
+    std::string& error);
 
   /// After Begin, also on ranks that do not write the file: the end of the message of a run that
   /// ends before the file is complete, with that many groups stored.

@@ -200,9 +200,9 @@ std::string PartStore::GetWholeName() const
   return this->Work.GetScratchName(ToName(ToPath(this->Work.GetTarget()).filename()));
 }
 
-bool PartStore::Publish(std::string& warning, std::string& error)
+bool PartStore::Publish(bool replaces, std::string& warning, std::string& error)
 {
-  if (!PublishFile(this->GetWholeName(), this->Work.GetTarget(), error))
+  if (!PublishFile(this->GetWholeName(), this->Work.GetTarget(), error, replaces))
   {
     return false;
   }

@@ -68,9 +68,10 @@ public:
   /// The path where the complete file is assembled before it is renamed.
   std::string GetWholeName() const;
 
-  /// Flushes the complete file to the disk, gives it its name, and only then removes the parts. A
-  /// warning says why the folder stays if it does.
-  bool Publish(std::string& warning, std::string& error);
+  /// Flushes the complete file to the disk, gives it its name, and only then removes the parts.
+  /// Unless it `replaces`, it fails if there is something of that name. A warning says why the
+  /// folder stays if it does.
+  bool Publish(bool replaces, std::string& warning, std::string& error);
 
   const std::string& GetFolder() const { return this->Work.GetName(); }
 

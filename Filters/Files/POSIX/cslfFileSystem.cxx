@@ -84,6 +84,12 @@ void CopyAttributes(const std::string& from, const std::string& to)
 #endif
 }
 
+/// The error of a rename with flags that the system or the file system does not know.
+bool IsUnknown(int code)
+{
+  return code == EINVAL || code == ENOSYS || code == ENOTSUP || code == EOPNOTSUPP;
+}
+
 /// Some file systems cannot flush folders, and return this error.
 bool SyncHandle(int handle, bool isFolder)
 {
@@ -245,6 +251,40 @@ bool Rename(const std::string& from, const std::string& to, std::string& error)
   return std::rename(from.c_str(), to.c_str()) == 0 || Fail("rename " + from + " to", to, error);
 }
 
+bool RenameToFree(const std::string& from, const std::string& to, std::string& error)
+{
+#if defined(RENAME_NOREPLACE)
+  int status = ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
+#elif defined(RENAME_EXCL)
+  int status = ::renamex_np(from.c_str(), to.c_str(), RENAME_EXCL);
+#else
+  int status = -1;
+  errno = ENOSYS;
+#endif
+  if (status != 0 && IsUnknown(errno))
+  {
+    // A link does not replace anything, either.
+    status = ::link(from.c_str(), to.c_str());
+    if (status == 0)
+    {
+      ::unlink(from.c_str());
+    }
+  }
+  if (status != 0 && (IsUnknown(errno) || errno == EPERM))
+  {
+    struct stat taken = {};
+    const bool isFree = ::lstat(to.c_str(), &taken) != 0 && errno == ENOENT;
+    errno = isFree ? 0 : EEXIST;
+    status = isFree ? std::rename(from.c_str(), to.c_str()) : -1;
+  }
+  if (status != 0 && errno == EEXIST)
+  {
+    error = NameIsTaken;
+    return false;
+  }
+  return status == 0 || Fail("rename " + from + " to", to, error);
+}
+
 bool ExchangeFolders(const std::string& one, const std::string& other, std::string& error)
 {
   error.clear();
@@ -260,8 +300,7 @@ bool ExchangeFolders(const std::string& one, const std::string& other, std::stri
   {
     return true;
   }
-  const bool isUnknown = errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
-  return isUnknown ? false : Fail("rename " + one + " to", other, error);
+  return IsUnknown(errno) ? false : Fail("rename " + one + " to", other, error);
 }
 
 bool SyncFile(const std::string& name, std::string& error)

@@ -187,6 +187,21 @@ bool Rename(const std::string& from, const std::string& to, std::string& error)
     Fail("rename " + from + " to", to, error);
 }
 
+bool RenameToFree(const std::string& from, const std::string& to, std::string& error)
+{
+  if (::MoveFileExW(ToPath(from).c_str(), ToPath(to).c_str(), MOVEFILE_WRITE_THROUGH))
+  {
+    return true;
+  }
+  const DWORD code = ::GetLastError();
+  if (code == ERROR_ALREADY_EXISTS || code == ERROR_FILE_EXISTS)
+  {
+    error = NameIsTaken;
+    return false;
+  }
+  return Fail("rename " + from + " to", to, error);
+}
+
 bool ExchangeFolders(const std::string&, const std::string&, std::string& error)
 {
   error.clear();
