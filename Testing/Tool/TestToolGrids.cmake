@@ -229,6 +229,6 @@ endforeach ()
 # VTK's reader would stop at these.
 foreach (value IN ITEMS Infinity -inf)
   write_square(${value} 0)
-  cslf_fail("square.vtp has an array with coordinates or other values that are not finite" "none"
-    trace square.vtp -o none.png ${close})
+  cslf_fail("square.vtp has an array with coordinates or other values that are not finite" "infinite"
+    trace square.vtp -o infinite.png ${close})
 endforeach ()
