@@ -60,7 +60,7 @@ cslf_add(Filters/Options Option)
 list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable.h")
 
 # Measures of quality.
-cslf_add(Filters/Quality DisplayCurve PSNR TexelChoice)
+cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV Bitstreams Codec Track)
@@ -70,7 +70,7 @@ cslf_add(Filters/Coding/Containers
 cslf_add(Filters/Coding/Frames
   ColorFrames ColorRows FrameConverter FrameOrder PushPull RadianceFrames TexelBytes
   TexelRows)
-cslf_add(Filters/Coding/Groups CodingTask TrackDecoder)
+cslf_add(Filters/Coding/Groups TrackDecoder)
 cslf_add(Filters/Coding/Reading
   BackgroundSteps BackgroundThread FieldReader GroupDecoder ViewpointStore)
 
@@ -111,9 +111,9 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/Parallel SceneGather)
   cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
   cslf_add(Filters/PathTracing/Lights
-    Environment LightBounds LightSample LightTree LocalLights PointLight)
+    Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
-    BSDF DisplayedColor Frame GGX Lobe SurfaceMaterial Texture)
+    BSDF DisplayedColor GGX Lobe SurfaceMaterial Texture)
   cslf_add(Filters/PathTracing/Paths DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
@@ -124,7 +124,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Scene
     Fingerprint LightReader MeshJoin MeshMaker PointSpacing RayLanes Scene SceneBlock SceneBuilder
     SurfaceColors TextureReader)
-  cslf_add(Filters/PathTracing/Shapes Box Mesh RoundView TriangleGeometry Triangles Tube)
+  cslf_add(Filters/PathTracing/Shapes Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)

@@ -7,7 +7,6 @@
 #include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfDisplayCurve.h"
-#include "Quality/cslfPSNR.h"
 #include "cslfColor.h"
 
 #include <vtkCommand.h>

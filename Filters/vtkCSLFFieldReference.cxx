@@ -11,7 +11,6 @@
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Quality/cslfDisplayCurve.h"
-#include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfColor.h"
 #include "cslfJSON.h"

@@ -5,7 +5,7 @@
 #include "Pipeline/cslfGuard.h"
 
 #include "Pipeline/cslfArrayLayout.h"
-#include "Quality/cslfPSNR.h"
+#include "Quality/cslfDisplayCurve.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

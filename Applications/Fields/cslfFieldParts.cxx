@@ -33,7 +33,7 @@ struct PartOption
 };
 
 /// The first "=" ends the name, and the first ":" after it ends the type.
-std::optional<PartOption> Split(const std::string& option)
+std::optional<PartOption> SplitOption(const std::string& option)
 {
   const std::size_t equals = option.find('=');
   const std::size_t colon = equals == std::string::npos ? equals : option.find(':', equals);
@@ -70,7 +70,7 @@ std::string Describe(const FieldPart& part)
 
 std::string FindPartError(const std::string& option)
 {
-  return Split(option) ? std::string()
+  return SplitOption(option) ? std::string()
                        : "\"" + option +
       "\" is not of the form NAME=TYPE:FILE, such as "
       "scene=model/gltf-binary:scene.glb";
@@ -81,7 +81,7 @@ std::vector<FieldPart> ReadParts(const std::vector<std::string>& options, const 
   std::vector<FieldPart> parts;
   for (const std::string& option : options)
   {
-    const PartOption words = Split(option).value_or(PartOption());
+    const PartOption words = SplitOption(option).value_or(PartOption());
     RequireOther(words.FileName, output);
     FieldPart part{ words.Name, words.Type, ReadBytes(words.FileName) };
     if (std::any_of(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The displayed brightness of radiance: the scale on which errors of light are measured.
+ * The displayed brightness of radiance: the scale on which errors of light are measured; and how
+ * errors of displayed colours are reported.
  */
 #ifndef cslfDisplayCurve_h
 #define cslfDisplayCurve_h
@@ -15,6 +16,17 @@
 
 namespace cslf
 {
+/// The largest value of a byte, and the PSNR in dB that is reported for equal colours.
+constexpr double MaximumLevel = 255.0;
+constexpr double MaximumPSNR = 100.0;
+
+/// 10 log10(peak^2 / meanSquare) in dB, at most `cap`: 20 log10(peak / d) for a constant
+/// difference d.
+inline double PSNR(double meanSquare, double peak, double cap)
+{
+  return meanSquare > 0.0 ? std::min(cap, 10.0 * std::log10(peak * peak / meanSquare)) : cap;
+}
+
 /**
  * Maps radiance to a scale on which 1 is the step from black to white of a display.
  *

@@ -4,7 +4,7 @@
 // The random numbers, the tables for choices, and the lights' samples compared with their density.
 #include "PathTracing/Lights/cslfEnvironment.h"
 #include "PathTracing/Lights/cslfLocalLights.h"
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "RandomNumbers/cslfDistribution.h"
 #include "RandomNumbers/cslfSampleStream.h"

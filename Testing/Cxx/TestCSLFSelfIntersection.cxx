@@ -3,7 +3,7 @@
 
 // The distance at which rays leave surfaces: small enough that they hit a sheet close above, and
 // large enough that a surface does not shadow itself.
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

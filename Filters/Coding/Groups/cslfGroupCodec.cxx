@@ -3,7 +3,6 @@
 #include "cslfGroupCodec.h"
 
 #include "Coding/Frames/cslfFrameConverter.h"
-#include "cslfCodingTask.h"
 #include "cslfDecimalPoint.h"
 #include "cslfJoin.h"
 #include "cslfLayout.h"

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cslf
@@ -52,6 +53,38 @@ struct CodedGroup
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
   const std::vector<ViewpointSamples>& slices, const std::function<bool()>& proceed,
   CodedGroup& group, std::string& error);
+
+/// The error of work that was asked to stop.
+constexpr const char* Stopped = "it was stopped";
+
+/// A group to be coded, once for each rate factor of colour.
+struct CodingTask
+{
+  int Group = 0;
+  bool IsTrial = false; ///< only the cost is needed
+  std::vector<double> Factors;
+};
+
+/// The cost of a coded group, including its share of the container.
+struct GroupCost
+{
+  double Bytes = 0.0; ///< of all tracks except coverage
+  double CoverageBytes = 0.0;
+  /// Of colour, summed over texels, red, green and blue, in units of 1/255; negative if not known.
+  double SquaredError = -1.0;
+  bool CoveredFully = true;
+};
+
+/// A group's part of each track.
+using GroupParts = std::vector<CodedGroup>;
+
+/// What came of a task.
+struct CodingResult
+{
+  int Group = 0;
+  std::vector<std::pair<double, GroupCost>> Trials; ///< the cost at each rate factor
+  GroupParts Parts;                                 ///< of a group that is not only tried
+};
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRateControl.h"
 
-#include "Quality/cslfPSNR.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfJSONText.h"
 

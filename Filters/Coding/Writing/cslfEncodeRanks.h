@@ -11,7 +11,7 @@
 #ifndef cslfEncodeRanks_h
 #define cslfEncodeRanks_h
 
-#include "Coding/Groups/cslfCodingTask.h"
+#include "Coding/Groups/cslfGroupCodec.h"
 #include "Parallel/cslfRanks.h"
 #include "cslfPart.h"
 

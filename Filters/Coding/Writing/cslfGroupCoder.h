@@ -7,7 +7,6 @@
 #ifndef cslfGroupCoder_h
 #define cslfGroupCoder_h
 
-#include "Coding/Groups/cslfCodingTask.h"
 #include "Coding/Groups/cslfGroupCodec.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfEncodeSettings.h"

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHeldOutViews.h"
 #include "Coding/Geometry/cslfGeometryRays.h"
-#include "Coding/Groups/cslfCodingTask.h"
+#include "Coding/Groups/cslfGroupCodec.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include "Lookup/cslfLookup.h"
 #include "Quality/cslfDisplayCurve.h"
-#include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfColor.h"
 

@@ -7,7 +7,7 @@
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfSurfaceMesh.h"
 #include "Geometry/cslfViewpointChoice.h"
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Rays/cslfRayGrid.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfTriangleList.h"

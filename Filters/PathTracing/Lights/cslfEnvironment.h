@@ -10,7 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "RandomNumbers/cslfDistribution.h"
-#include "cslfLightSample.h"
+#include "cslfPointLight.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

@@ -12,7 +12,6 @@
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "cslfLightBounds.h"
-#include "cslfLightSample.h"
 #include "cslfLightTree.h"
 #include "cslfPointLight.h"
 

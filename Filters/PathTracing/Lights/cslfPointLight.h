@@ -2,20 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Light from one point, uniform in all directions or within a cone.
+ * The light that arrives at a surface point from a light; and lights without extent: from
+ * infinitely far away, and from one point, uniform in all directions or within a cone.
  */
 #ifndef cslfPointLight_h
 #define cslfPointLight_h
 
-#include "cslfLightSample.h"
-
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cslf
 {
+/// Light that arrives at a surface point if nothing lies between. A density of 0 means that there
+/// is none. The density of a light without extent is infinite, and its radiance is then its
+/// irradiance on a surface that faces it.
+struct LightSample
+{
+  glm::vec3 Direction{ 0.0f }; ///< from the surface point to the light, of unit length
+  glm::vec3 Radiance{ 0.0f };
+  float Pdf = 0.0f; ///< per solid angle
+  float Distance = std::numeric_limits<float>::infinity();
+};
+
 struct DirectionalLight
 {
   glm::vec3 Direction{ 0.0f, 0.0f, -1.0f }; ///< in which the light travels, of unit length

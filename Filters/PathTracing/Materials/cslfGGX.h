@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reflection by the microfacets of Trowbridge and Reitz (GGX): Walter et al., "Microfacet Models
- * for Refraction through Rough Surfaces", EGSR 2007. Directions are local, z being the normal, and
- * both point away from the surface.
+ * Reflectances of smooth boundaries, and reflection by the microfacets of Trowbridge and Reitz
+ * (GGX): Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
+ * Directions are local, z being the normal, and both point away from the surface.
  */
 #ifndef cslfGGX_h
 #define cslfGGX_h
@@ -12,6 +12,7 @@
 #include "RandomNumbers/cslfSampling.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -140,6 +141,29 @@ private:
 
   float Alpha;
 };
+
+/// Visits samples of the reflection of light that leaves at a cosine, in the plane y = 0: the
+/// incident direction, and GGX's sample weight, F G2 / G1. Returns their number, including those
+/// without light, which are not visited.
+template <typename Visit>
+int VisitReflections(float ior, const GGX& facets, float cosine, Visit visit)
+{
+  constexpr int side = 24;
+  const glm::vec3 outgoing(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+  for (int i = 0; i < side * side; ++i)
+  {
+    const glm::vec2 u((i / side + 0.5f) / side, (i % side + 0.5f) / side);
+    const glm::vec3 incident = facets.Sample(outgoing, u);
+    if (incident.z > 0.0f)
+    {
+      const float cosHalf = glm::dot(outgoing, glm::normalize(outgoing + incident));
+      visit(incident,
+        DielectricFresnel(cosHalf, ior) * facets.MaskingShadowing(outgoing, incident) /
+          facets.Masking(outgoing));
+    }
+  }
+  return side * side;
+}
 }
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "cslfBSDF.h"
 #include "cslfGGX.h"
-#include "cslfReflections.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #define cslfSurfaceLanes_h
 
 #include "PathTracing/Materials/cslfBSDF.h"
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Scene/cslfRayLanes.h"
 
 #include <optional>

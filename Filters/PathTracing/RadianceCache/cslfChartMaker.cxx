@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfChartMaker.h"
 
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "cslfMeshEdges.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfIncidentLight.h"
 
-#include "PathTracing/Materials/cslfReflections.h"
+#include "PathTracing/Materials/cslfGGX.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

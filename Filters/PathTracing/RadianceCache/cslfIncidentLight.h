@@ -9,7 +9,7 @@
 #ifndef cslfIncidentLight_h
 #define cslfIncidentLight_h
 
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Materials/cslfSurfaceMaterial.h"
 
 #include <glm/vec2.hpp>

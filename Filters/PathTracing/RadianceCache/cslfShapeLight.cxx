@@ -4,7 +4,7 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/Materials/cslfBSDF.h"
-#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Paths/cslfPathBatch.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"

@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Shapes/cslfBox.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
 #include "cslfRayPacket.h"

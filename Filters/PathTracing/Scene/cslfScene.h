@@ -16,8 +16,8 @@
 #include "PathTracing/Rays/cslfHitGeometry.h"
 #include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
-#include "PathTracing/Shapes/cslfBox.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "Pipeline/cslfPhase.h"
 
 #include <glm/vec3.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Normals and positions on triangles. Without branches, for loops over lanes.
+ * Boxes, and normals and positions on triangles: without branches, for loops over lanes.
  */
 #ifndef cslfTriangleGeometry_h
 #define cslfTriangleGeometry_h
@@ -15,6 +15,13 @@
 
 namespace cslf
 {
+/// An axis-aligned box in scene space; empty where `Low` is above `High`.
+struct Box
+{
+  glm::dvec3 Low{ 0.0 };
+  glm::dvec3 High{ 0.0 };
+};
+
 // How far rays start off a sphere or a tube, in radii of the scene: Embree's hits on long tubes are
 // less exact than on triangles.
 constexpr float RoundOffset = 1e-5f;
