@@ -171,9 +171,11 @@ int vtkCSLFViewTracer::RequestData(
     output->Initialize();
     return cslf::IsAborted(this) ? 1 : 0;
   }
+  // The array first, which may be too large: some versions of VTK store the coordinates of images.
+  const auto colors = cslf::MakeArray(cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType),
+    static_cast<vtkIdType>(this->Size[0]) * this->Size[1]);
   output->SetDimensions(this->Size[0], this->Size[1], 1);
-  output->GetPointData()->SetScalars(cslf::MakeArray(
-    cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType), output->GetNumberOfPoints()));
+  output->GetPointData()->SetScalars(colors);
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::CheckedPicture picture{ this->Size[0], this->Size[1], 1, 1,

@@ -139,21 +139,26 @@ std::string Describe(const CLI::Option* option)
 class HelpFormatter : public CLI::Formatter
 {
 public:
-  HelpFormatter()
-  {
-    this->label("OPTIONS", "options");
-    this->label("SUBCOMMAND", "command");
-    this->label("Positionals", "Arguments");
-  }
-
+  // What the versions of CLI11 put between the parts differs, so they are made here.
   std::string make_help(
-    const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
+    const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const override
   {
     return this->make_description(app) + this->make_usage(app, std::move(name)) +
-      this->make_positionals(app) + this->MakeOptions(app) +
-      CLI::detail::find_and_replace(
-        this->make_subcommands(app, mode), "\nSubcommands:", "\nCommands:") +
-      "\n" + this->make_footer(app);
+      this->MakeOptions(app) + this->MakeCommands(app) + "\n" + this->make_footer(app);
+  }
+
+  std::string make_usage(const CLI::App* app, std::string name) const override
+  {
+    std::string text = "Usage: " + name + " [options]";
+    for (const CLI::Option* option : GetOptions(app, true))
+    {
+      text += " " + this->make_option_usage(option);
+    }
+    if (!app->get_subcommands({}).empty())
+    {
+      text += app->get_require_subcommand_min() == 0 ? " [command]" : " command";
+    }
+    return text + "\n";
   }
 
   std::string make_description(const CLI::App* app) const override
@@ -201,21 +206,49 @@ public:
   std::string make_footer(const CLI::App* app) const override { return Wrap(app->get_footer(), 0); }
 
 private:
-  /// The options by groups, the general one last.
+  static std::vector<const CLI::Option*> GetOptions(const CLI::App* app, bool arePositional)
+  {
+    return app->get_options([arePositional](const CLI::Option* option)
+      { return arePositional ? option->get_positional() : option->nonpositional(); });
+  }
+
+  std::string MakeGroup(const std::string& title, bool arePositional,
+    const std::vector<const CLI::Option*>& options) const
+  {
+    std::string text;
+    for (const CLI::Option* option : options)
+    {
+      text += this->make_option(option, arePositional);
+    }
+    return text.empty() ? text : "\n" + title + ":\n" + text;
+  }
+
+  /// The arguments, and the options by groups, the general one last.
   std::string MakeOptions(const CLI::App* app) const
   {
     std::vector<std::string> groups = app->get_groups();
     std::stable_partition(
       groups.begin(), groups.end(), [](const std::string& group) { return group != GeneralGroup; });
-    std::string text;
+    std::string text = this->MakeGroup("Arguments", true, GetOptions(app, true));
     for (const std::string& group : groups)
     {
-      const std::vector<const CLI::Option*> members =
-        app->get_options([&group](const CLI::Option* option)
-          { return option->get_group() == group && option->nonpositional(); });
-      text += group.empty() || members.empty() ? "" : this->make_group(group, false, members);
+      std::vector<const CLI::Option*> members = GetOptions(app, false);
+      members.erase(std::remove_if(members.begin(), members.end(),
+                      [&group](const CLI::Option* option) { return option->get_group() != group; }),
+        members.end());
+      text += group.empty() ? "" : this->MakeGroup(group, false, members);
     }
     return text;
+  }
+
+  std::string MakeCommands(const CLI::App* app) const
+  {
+    std::string text;
+    for (const CLI::App* command : app->get_subcommands({}))
+    {
+      text += this->make_subcommand(command);
+    }
+    return text.empty() ? text : "\nCommands:\n" + text;
   }
 };
 }

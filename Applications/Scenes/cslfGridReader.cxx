@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGridReader.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "Console/cslfMessages.h"
 #include "Console/cslfSceneText.h"
 #include "Fields/cslfSceneChecks.h"
@@ -158,15 +160,16 @@ vtkSmartPointer<vtkUnstructuredGrid> KeepSoundCells(
   kept->SetPoints(grid->GetPoints());
   kept->GetPointData()->ShallowCopy(grid->GetPointData());
   kept->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  const auto all = KeepNumeric(grid->GetCellData());
   kept->GetCellData()->CopyAllOn();
-  kept->GetCellData()->CopyAllocate(grid->GetCellData(), sound->GetNumberOfIds());
+  kept->GetCellData()->CopyAllocate(all, sound->GetNumberOfIds());
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < sound->GetNumberOfIds(); ++i)
   {
     // The faces of a polyhedron, the points of any other cell.
     grid->GetFaceStream(sound->GetId(i), ids);
     kept->InsertNextCell(grid->GetCellType(sound->GetId(i)), ids);
-    kept->GetCellData()->CopyData(grid->GetCellData(), sound->GetId(i), i);
+    kept->GetCellData()->CopyData(all, sound->GetId(i), i);
   }
   return kept;
 }

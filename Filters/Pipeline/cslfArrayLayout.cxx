@@ -133,4 +133,23 @@ bool MakeAOS(vtkDataSetAttributes* attributes)
   attributes->ShallowCopy(made);
   return true;
 }
+
+vtkSmartPointer<vtkDataSetAttributes> KeepNumeric(vtkDataSetAttributes* attributes)
+{
+  vtkSmartPointer<vtkDataSetAttributes> kept = attributes;
+  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (vtkDataArray::SafeDownCast(attributes->GetAbstractArray(i)))
+    {
+      continue;
+    }
+    if (kept == attributes)
+    {
+      kept = vtk::TakeSmartPointer(attributes->NewInstance());
+      kept->ShallowCopy(attributes);
+    }
+    kept->RemoveArray(i);
+  }
+  return kept;
+}
 }

@@ -41,6 +41,10 @@ VTKCSLF_EXPORT vtkSmartPointer<vtkImageData> ToAOS(vtkImageData* image, int firs
 /// whether there were any.
 VTKCSLF_EXPORT bool MakeAOS(vtkFieldData* fields);
 VTKCSLF_EXPORT bool MakeAOS(vtkDataSetAttributes* attributes);
+
+/// The attributes themselves if all their arrays are numeric, else without the others, which nobody
+/// draws. Those whose tuples are copied pass through this: VTK 9.6 cannot copy single texts.
+VTKCSLF_EXPORT vtkSmartPointer<vtkDataSetAttributes> KeepNumeric(vtkDataSetAttributes* attributes);
 }
 
 #endif

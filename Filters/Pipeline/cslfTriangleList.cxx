@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTriangleList.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "cslfPolygonFill.h"
 #include "cslfValidPolyData.h"
 
@@ -430,11 +432,12 @@ private:
     vtkCellData* attributes = this->Result.Triangles->GetCellData();
     attributes->Initialize();
     const vtkIdType count = this->Sources ? this->Sources->GetNumberOfTuples() : 0;
-    attributes->CopyAllocate(this->Data->GetCellData(), count);
-    const bool isEmpty = this->Data->GetCellData()->GetNumberOfArrays() == 0;
+    const auto all = KeepNumeric(this->Data->GetCellData());
+    attributes->CopyAllocate(all, count);
+    const bool isEmpty = all->GetNumberOfArrays() == 0;
     for (vtkIdType i = 0; !isEmpty && i < count; ++i)
     {
-      attributes->CopyData(this->Data->GetCellData(), this->Sources->GetValue(i), i);
+      attributes->CopyData(all, this->Sources->GetValue(i), i);
     }
   }
 

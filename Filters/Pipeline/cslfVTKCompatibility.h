@@ -104,6 +104,15 @@ constexpr bool PhysicalScalarsAreEncoded = true;
 #else
 constexpr bool PhysicalScalarsAreEncoded = false;
 #endif
+
+/// Whether the window takes the colours of physically based surfaces as light also if no lights
+/// shine on them: lines, points, and surfaces without lighting. Older versions show them as they
+/// are, with the texture of the actor.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+constexpr bool UnlitPhysicalIsLight = true;
+#else
+constexpr bool UnlitPhysicalIsLight = false;
+#endif
 }
 
 #endif

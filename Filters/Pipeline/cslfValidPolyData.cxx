@@ -118,8 +118,9 @@ void RemoveBrokenCells(vtkPolyData* data, const CellLists& lists, vtkIdType poin
   data->SetLines(cells[1]);
   data->SetPolys(cells[2]);
   data->SetStrips(cells[3]);
-  vtkNew<vtkCellData> all;
-  all->ShallowCopy(data->GetCellData());
+  vtkNew<vtkCellData> cellData;
+  cellData->ShallowCopy(data->GetCellData());
+  const auto all = KeepNumeric(cellData);
   data->GetCellData()->Initialize();
   data->GetCellData()->CopyAllOn();
   data->GetCellData()->CopyAllocate(all, kept->GetNumberOfIds());

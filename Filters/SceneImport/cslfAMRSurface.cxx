@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfAMRSurface.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -84,12 +86,14 @@ public:
   GridSurface(const std::vector<vtkImageData*>& grids, vtkImageData* grid)
     : Grids(grids)
     , Grid(grid)
+    , PointData(KeepNumeric(grid->GetPointData()))
+    , CellData(KeepNumeric(grid->GetCellData()))
     , Cells(grid)
     , Result(vtkSmartPointer<vtkPolyData>::New())
   {
     this->Points->SetDataTypeToDouble();
-    this->Result->GetPointData()->CopyAllocate(grid->GetPointData());
-    this->Result->GetCellData()->CopyAllocate(grid->GetCellData());
+    this->Result->GetPointData()->CopyAllocate(this->PointData);
+    this->Result->GetCellData()->CopyAllocate(this->CellData);
   }
 
   vtkSmartPointer<vtkPolyData> Make()
@@ -168,7 +172,7 @@ private:
     {
       this->Faces->InsertCellPoint(this->GetPoint(this->Corners->GetId(corner)));
     }
-    this->Result->GetCellData()->CopyData(this->Grid->GetCellData(), cell, face);
+    this->Result->GetCellData()->CopyData(this->CellData, cell, face);
   }
 
   vtkIdType GetPoint(vtkIdType point)
@@ -177,13 +181,15 @@ private:
     if (isNew)
     {
       place->second = this->Points->InsertNextPoint(this->Grid->GetPoint(point));
-      this->Result->GetPointData()->CopyData(this->Grid->GetPointData(), point, place->second);
+      this->Result->GetPointData()->CopyData(this->PointData, point, place->second);
     }
     return place->second;
   }
 
   const std::vector<vtkImageData*>& Grids;
   vtkImageData* Grid;
+  vtkSmartPointer<vtkDataSetAttributes> PointData;
+  vtkSmartPointer<vtkDataSetAttributes> CellData;
   CellCounts Cells;
   vtkSmartPointer<vtkPolyData> Result;
   vtkNew<vtkPoints> Points;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorParts.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
@@ -36,6 +38,7 @@ vtkSmartPointer<vtkCellArray> SpreadCells(vtkCellArray* cells, vtkIdType firstCe
   auto result = vtkSmartPointer<vtkCellArray>::New();
   vtkDataArray* cellNormals = block->GetCellData()->GetNormals();
   vtkPointData* data = spread->GetPointData();
+  const auto all = KeepNumeric(block->GetPointData());
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     vtkIdType count = 0;
@@ -46,7 +49,7 @@ vtkSmartPointer<vtkCellArray> SpreadCells(vtkCellArray* cells, vtkIdType firstCe
     {
       const vtkIdType point = spread->GetPoints()->InsertNextPoint(block->GetPoint(corners[c]));
       result->InsertCellPoint(point);
-      data->CopyData(block->GetPointData(), corners[c], point);
+      data->CopyData(all, corners[c], point);
       normals->InsertTuple(point, firstCell + i, cellNormals);
     }
   }
@@ -67,7 +70,7 @@ vtkSmartPointer<vtkPolyData> SpreadCellNormals(vtkPolyData* block)
   vtkNew<vtkPoints> points;
   points->SetDataType(block->GetPoints()->GetDataType());
   spread->SetPoints(points);
-  spread->GetPointData()->CopyAllocate(block->GetPointData());
+  spread->GetPointData()->CopyAllocate(KeepNumeric(block->GetPointData()));
   auto normals = vtk::TakeSmartPointer(cellNormals->NewInstance());
   normals->SetNumberOfComponents(3);
   normals->SetName("Normals");

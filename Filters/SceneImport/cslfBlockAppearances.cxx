@@ -22,6 +22,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -166,10 +167,10 @@ public:
   BlockFinisher(const ImportedBlock& block, const LightLevel& level, bool isLit)
     : Data(block.Data)
     , Appearance(block.Appearance)
-    , Ambient(this->GetColor(block.Appearance.Property->GetAmbientColor()))
-    , Diffuse(this->GetColor(block.Appearance.Property->GetDiffuseColor()))
     , Level(level)
     , Kind(GetDrawing(block.Appearance, isLit))
+    , Ambient(this->GetColor(block.Appearance.Property->GetAmbientColor()))
+    , Diffuse(this->GetColor(block.Appearance.Property->GetDiffuseColor()))
     , Surface(block.Appearance.Property, level, this->Kind, this->GetTypicalColors())
   {
   }
@@ -220,8 +221,22 @@ private:
     return this->Kind == Drawing::Lit && this->Appearance.Property->GetInterpolation() == VTK_PBR;
   }
 
+  /// Whether the window shows the block's own colours as the physically based model shows light.
+  bool IsUnlitLight() const
+  {
+    return UnlitPhysicalIsLight && this->Kind != Drawing::Lit &&
+      this->Appearance.Property->GetInterpolation() == VTK_PBR;
+  }
+
+  /// A colour that the window shows, of one that it has.
+  glm::dvec3 ToShown(const glm::dvec3& color) const
+  {
+    constexpr double gamma = 2.2;
+    return this->IsUnlitLight() ? glm::pow(color, glm::dvec3(1.0 / gamma)) : color;
+  }
+
   /// The property's material. Without lights, the window shows nothing of the physically based
-  /// model.
+  /// model but its colour.
   void SetFromProperty(vtkDataObject* material) const
   {
     vtkSmartPointer<vtkProperty> property = this->Appearance.Property;
@@ -239,7 +254,8 @@ private:
   {
     const bool hasTexture =
       this->Appearance.HasTable || this->Appearance.Property->GetNumberOfTextures() > 0;
-    return !this->IsPhysical() || (PhysicalScalarsAreEncoded && !hasTexture);
+    return !(this->IsPhysical() || this->IsUnlitLight()) ||
+      (PhysicalScalarsAreEncoded && !hasTexture);
   }
 
   /// The radiance of a white surface in the block's light; 1 if there is none.
@@ -249,7 +265,19 @@ private:
     return glm::mix(glm::dvec3(1.0), light, glm::greaterThan(light, glm::dvec3(0.0)));
   }
 
-  glm::dvec3 GetColor(const double* color) const { return FindOwnColor(this->Appearance, color); }
+  glm::dvec3 GetColor(const double* color) const
+  {
+    return this->ToShown(FindOwnColor(this->Appearance, color));
+  }
+
+  /// The texture that the window shows: the actor's, which only the classic models use, or that of
+  /// the base colour.
+  vtkTexture* GetShownTexture() const
+  {
+    const bool isPhysical = this->IsPhysical() || this->IsUnlitLight();
+    return isPhysical ? this->Appearance.Property->GetTexture("albedoTex")
+                      : this->Appearance.Texture.Get();
+  }
 
   /// The colour of the property, or greys from black to white if colours vary. The block's own
   /// colours would make the pieces of one surface differ.
@@ -265,13 +293,13 @@ private:
     return { glm::dvec3(0.0), glm::dvec3(0.5), glm::dvec3(1.0) };
   }
 
-  /// The actor's texture, which only the classic models show, or that of a lookup table.
+  /// The texture that the window shows, or that of a lookup table.
   void FinishTexture(vtkDataObject* material)
   {
     constexpr int slot = vtkCSLFMaterial::BaseColorTexture;
-    if (!this->IsPhysical() && this->Appearance.Texture && !this->Appearance.HasTable)
+    if (!this->IsPhysical() && this->GetShownTexture() && !this->Appearance.HasTable)
     {
-      vtkCSLFMaterial::SetTextureFrom(material, slot, this->Appearance.Texture);
+      vtkCSLFMaterial::SetTextureFrom(material, slot, this->GetShownTexture());
     }
     TextureSource source;
     vtkDataObject* holder = material;
@@ -284,7 +312,8 @@ private:
       return;
     }
     const bool isLinear = this->IsLinearTexture();
-    const auto decode = [isLinear](double value) { return isLinear ? SRGBToLinear(value) : value; };
+    const auto decode = [this, isLinear](double value)
+    { return this->ToShown(glm::dvec3(isLinear ? SRGBToLinear(value) : value)).x; };
     const glm::dvec3 full = this->Surface.GetReflectance(this->Ambient, this->Diffuse);
     const auto reflect = [&](double value)
     {
@@ -310,10 +339,9 @@ private:
   {
     if (this->Appearance.HasTable)
     {
-      return this->IsPhysical() && PhysicalScalarsAreEncoded;
+      return (this->IsPhysical() || this->IsUnlitLight()) && PhysicalScalarsAreEncoded;
     }
-    vtkTexture* texture = this->IsPhysical() ? this->Appearance.Property->GetTexture("albedoTex")
-                                             : this->Appearance.Texture.Get();
+    vtkTexture* texture = this->GetShownTexture();
     return texture && texture->GetUseSRGBColorSpace();
   }
 
@@ -339,8 +367,9 @@ private:
   /// The colour that the window's shading uses for a scalar's level.
   glm::dvec3 Decode(double value) const
   {
-    return glm::dvec3(
-      this->IsPhysical() && PhysicalScalarsAreEncoded ? SRGBToLinear(value) : value);
+    const bool isEncoded =
+      (this->IsPhysical() || this->IsUnlitLight()) && PhysicalScalarsAreEncoded;
+    return this->ToShown(glm::dvec3(isEncoded ? SRGBToLinear(value) : value));
   }
 
   vtkSmartPointer<vtkUnsignedCharArray> FinishLevels(vtkUnsignedCharArray* colors) const
@@ -407,10 +436,10 @@ private:
 
   vtkPolyData* Data;
   const BlockAppearance& Appearance;
-  glm::dvec3 Ambient;
-  glm::dvec3 Diffuse;
   LightLevel Level;
   Drawing Kind;
+  glm::dvec3 Ambient;
+  glm::dvec3 Diffuse;
   SurfaceAppearance Surface;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCellKinds.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "Pipeline/cslfValidPolyData.h"
 
 #include <vtkCellArray.h>
@@ -58,11 +60,12 @@ vtkSmartPointer<vtkPolyData> CopyPoints(vtkPolyData* block)
 void CopyCellData(vtkPolyData* block, const std::vector<vtkIdType>& cells, vtkPolyData* copy)
 {
   vtkCellData* data = copy->GetCellData();
+  const auto all = KeepNumeric(block->GetCellData());
   data->CopyAllOn();
-  data->CopyAllocate(block->GetCellData(), static_cast<vtkIdType>(cells.size()));
+  data->CopyAllocate(all, static_cast<vtkIdType>(cells.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    data->CopyData(block->GetCellData(), cells[i], static_cast<vtkIdType>(i));
+    data->CopyData(all, cells[i], static_cast<vtkIdType>(i));
   }
 }
 
