@@ -153,7 +153,7 @@ public:
 
   /**
    * The preset in use: the one that is set or, where that is auto, that of the quality of the
-   * sampler which feeds the encoder.
+   * sampler which feeds the encoder. Updates the information of the input.
    */
   std::string GetUsedPreset();
 

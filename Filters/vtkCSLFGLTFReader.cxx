@@ -80,10 +80,10 @@ glm::dmat4 ReadTransform(const GLTFValue& node)
 class Builder
 {
 public:
-  Builder(GLTFDocument& document, GLTFErrors& problems)
+  Builder(GLTFDocument& document, GLTFErrors& errors)
     : Document(document)
-    , Problems(problems)
-    , Primitives(document, problems)
+    , Errors(errors)
+    , Primitives(document, errors)
   {
   }
 
@@ -95,7 +95,7 @@ public:
     {
       const PendingNode node = this->Pending.back();
       this->Pending.pop_back();
-      this->Problems.Attempt([&] { this->AddNode(node); });
+      this->Errors.Attempt([&] { this->AddNode(node); });
     }
     return std::move(this->Blocks);
   }
@@ -107,17 +107,17 @@ private:
     static const std::set<std::string> known = { "KHR_materials_ior", "KHR_materials_transmission",
       "KHR_materials_emissive_strength", "KHR_materials_volume", "KHR_materials_unlit",
       "KHR_lights_punctual", "KHR_texture_transform", "KHR_mesh_quantization", "EXT_texture_webp" };
-    this->Problems.Attempt(
+    this->Errors.Attempt(
       [&]
       {
         const GLTFValue root = this->Document.GetRoot();
         const GLTFValue lights = root["extensions"]["KHR_lights_punctual"]["lights"];
-        this->Problems.Omit(lights.GetCount() > 0, "lights");
+        this->Errors.Omit(lights.GetCount() > 0, "lights");
         const GLTFValue used = root["extensionsUsed"];
         for (std::size_t i = 0; i < used.GetCount(); ++i)
         {
           const std::string name = used.At(i).GetText("");
-          this->Problems.Omit(known.count(name) == 0, name.c_str());
+          this->Errors.Omit(known.count(name) == 0, name.c_str());
         }
       });
   }
@@ -128,9 +128,9 @@ private:
   {
     const GLTFValue scenes = this->Document.GetRoot()["scenes"];
     std::size_t scene = 0;
-    this->Problems.Attempt([&] { scene = this->Document.GetRoot()["scene"].GetIndex(0); });
+    this->Errors.Attempt([&] { scene = this->Document.GetRoot()["scene"].GetIndex(0); });
     std::vector<std::size_t> roots;
-    this->Problems.Attempt(
+    this->Errors.Attempt(
       [&] {
         roots = scenes.GetCount() > 0 ? ReadList(scenes.At(scene)["nodes"]) : this->FindOrphans();
       });
@@ -187,7 +187,7 @@ private:
     this->AddPending(ReadList(node["children"]), toWorld);
     if (const std::optional<std::size_t> mesh = node["mesh"].GetIndex())
     {
-      this->Problems.Omit(node["skin"].IsPresent(), "skins, which are shown at rest");
+      this->Errors.Omit(node["skin"].IsPresent(), "skins, which are shown at rest");
       this->AddMesh(*mesh, toWorld);
     }
   }
@@ -209,7 +209,7 @@ private:
   }
 
   GLTFDocument& Document;
-  GLTFErrors& Problems;
+  GLTFErrors& Errors;
   GLTFPrimitives Primitives;
   std::vector<PendingNode> Pending;
   std::set<std::size_t> Visited;
@@ -218,10 +218,9 @@ private:
 
 /// The primitives of the nodes of the document's default scene, in world coordinates. Collects what
 /// is invalid or not supported in the file.
-std::vector<vtkSmartPointer<vtkPolyData>> MakeGLTFBlocks(
-  GLTFDocument& document, GLTFErrors& problems)
+std::vector<vtkSmartPointer<vtkPolyData>> MakeGLTFBlocks(GLTFDocument& document, GLTFErrors& errors)
 {
-  return Builder(document, problems).Build();
+  return Builder(document, errors).Build();
 }
 }
 }
@@ -251,15 +250,15 @@ int vtkCSLFGLTFReader::RequestData(
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     return 0;
   }
-  cslf::GLTFErrors problems;
+  cslf::GLTFErrors errors;
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   std::string error;
   cslf::Guard(
     [&]
     {
       cslf::GLTFDocument document(this->FileName);
-      blocks = cslf::MakeGLTFBlocks(document, problems);
-      error = blocks.empty() ? problems.ListErrors() : "";
+      blocks = cslf::MakeGLTFBlocks(document, errors);
+      error = blocks.empty() ? errors.ListErrors() : "";
       return true;
     },
     error);
@@ -280,13 +279,13 @@ int vtkCSLFGLTFReader::RequestData(
     }
     output->SetBlock(static_cast<unsigned int>(i), blocks[i]);
   }
-  const std::string errors = problems.ListErrors();
-  if (!errors.empty())
+  const std::string left = errors.ListErrors();
+  if (!left.empty())
   {
     vtkWarningMacro("Invalid parts of \""
-      << this->FileName << "\" were left out: " << cslf::MakePrintable(errors) << ".");
+      << this->FileName << "\" were left out: " << cslf::MakePrintable(left) << ".");
   }
-  const std::string omitted = cslf::Join(problems.Omitted);
+  const std::string omitted = cslf::Join(errors.Omitted);
   if (!omitted.empty())
   {
     vtkWarningMacro("Unsupported features of \""

@@ -205,11 +205,9 @@ private:
     const bool hasDepth = isRead && this->Field.FindChannel(cslf::KnownChannel::Depth);
     if (!hasDepth)
     {
-      const std::string& error = this->Input.GetError();
       vtkErrorWithObjectMacro(
         this->Self, << (isRead ? "The light field has no depth, which the geometry is made from."
-                        : error.empty() ? "The input did not deliver the requested viewpoints."
-                                        : error));
+                               : this->Input.GetError()));
     }
     return hasDepth;
   }
@@ -350,6 +348,7 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
 int vtkCSLFGeometryFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (cslf::IsPortWanted(outputVector, 0))
   {

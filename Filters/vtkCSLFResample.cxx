@@ -149,8 +149,7 @@ private:
 
   bool Fail(const std::string& error)
   {
-    vtkErrorWithObjectMacro(this->Self,
-      << (error.empty() ? "The input did not deliver the requested viewpoints." : error));
+    vtkErrorWithObjectMacro(this->Self, << error);
     this->Output->Initialize();
     return false;
   }
@@ -217,6 +216,7 @@ int vtkCSLFResample::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   int asked[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), asked);
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   Pass pass(this, *nesting, vtkImageData::GetData(outInfo));
   std::string problem;
   const bool isDone = cslf::Guard([&] { return pass.Run({ asked[4], asked[5] }); }, problem);

@@ -227,7 +227,8 @@ bool vtkCSLFMapper::UpdateField()
     cslf::UpdateWhole(this->GetInputConnection(0, 0));
   }
   vtkObject* input = isLent ? static_cast<vtkObject*>(producer) : this->GetInput();
-  if (!input)
+  // With Static, the producer may not have been updated yet.
+  if (!input || (!isLent && this->Static && this->GetInput()->GetNumberOfPoints() == 0))
   {
     return false;
   }
@@ -241,9 +242,9 @@ bool vtkCSLFMapper::UpdateField()
       return store != nullptr;
     }
     internals.Store = store;
-    if (store && !store->GetMissing().empty())
+    if (store)
     {
-      store->Get(store->GetMissing().front()); // reports it
+      store->ReportMissing();
     }
   }
   else

@@ -73,8 +73,8 @@ bool Rename(const std::string& from, const std::string& to, std::string& error);
 constexpr const char* NameIsTaken =
   "a file of that name has appeared meanwhile; move it elsewhere, or overwrite it";
 
-/// The same, but fails if the second name is taken. That is one step, so nothing is replaced that
-/// appears meanwhile, except on file systems that have neither such steps nor hard links.
+/// Like Rename, but fails if the second name is taken. That is one step, so nothing is replaced
+/// that appears meanwhile, except on file systems that have neither such steps nor hard links.
 bool RenameToFree(const std::string& from, const std::string& to, std::string& error);
 
 /// A file that is open for reading. It keeps its contents if another file gets its name. Several

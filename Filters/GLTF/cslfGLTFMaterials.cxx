@@ -106,9 +106,9 @@ int ToWrap(std::size_t wrap)
 }
 }
 
-GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFErrors& problems)
+GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFErrors& errors)
   : Document(document)
-  , Problems(problems)
+  , Errors(errors)
   , Images(document)
 {
 }
@@ -124,10 +124,10 @@ const GLTFMaterial& GLTFMaterials::Get(std::size_t index)
   GLTFMaterial& material = this->Known[index];
   material.Arrays = vtkSmartPointer<vtkPolyData>::New();
   // An error in one part does not affect the others.
-  this->Problems.Attempt([&] { this->ReadFactors(source, material); });
-  this->Problems.Attempt([&] { this->ReadAlpha(source, material); });
-  this->Problems.Attempt([&] { this->ReadExtensions(source, material); });
-  this->Problems.Attempt([&] { this->ReadTextures(source, material); });
+  this->Errors.Attempt([&] { this->ReadFactors(source, material); });
+  this->Errors.Attempt([&] { this->ReadAlpha(source, material); });
+  this->Errors.Attempt([&] { this->ReadExtensions(source, material); });
+  this->Errors.Attempt([&] { this->ReadTextures(source, material); });
   return material;
 }
 
@@ -167,10 +167,10 @@ void GLTFMaterials::ReadExtensions(const GLTFValue& source, GLTFMaterial& materi
   vtkCSLFMaterial::SetIndexOfRefraction(
     arrays, extensions["KHR_materials_ior"]["ior"].GetNumber(1.5));
   vtkCSLFMaterial::SetTransmission(arrays, transmission["transmissionFactor"].GetNumber(0.0));
-  this->Problems.Omit(transmission["transmissionTexture"].IsPresent(), "transmission textures");
+  this->Errors.Omit(transmission["transmissionTexture"].IsPresent(), "transmission textures");
   vtkCSLFMaterial::SetThinWalled(
     arrays, !(extensions["KHR_materials_volume"]["thicknessFactor"].GetNumber(0.0) > 0.0));
-  this->Problems.Omit(
+  this->Errors.Omit(
     extensions["KHR_materials_unlit"].IsPresent(), "unlit materials, which are lit");
   const double strength =
     extensions["KHR_materials_emissive_strength"]["emissiveStrength"].GetNumber(1.0);
@@ -193,7 +193,7 @@ void GLTFMaterials::ReadTextures(const GLTFValue& source, GLTFMaterial& material
   {
     if (slot.second.IsPresent())
     {
-      this->Problems.Attempt([&] { this->ReadTexture(slot.first, slot.second, material); });
+      this->Errors.Attempt([&] { this->ReadTexture(slot.first, slot.second, material); });
     }
   }
   if (normal.IsPresent())
@@ -244,7 +244,7 @@ bool GLTFMaterials::TakeMapping(const GLTFValue& info, GLTFMaterial& material)
     material.Mapping = mapping;
   }
   const bool fits = material.Mapping == mapping;
-  this->Problems.Omit(!fits, "textures with a second set of coordinates");
+  this->Errors.Omit(!fits, "textures with a second set of coordinates");
   return fits;
 }
 

@@ -63,7 +63,7 @@ struct GLTFMaterial
 class GLTFMaterials
 {
 public:
-  GLTFMaterials(GLTFDocument& document, GLTFErrors& problems);
+  GLTFMaterials(GLTFDocument& document, GLTFErrors& errors);
 
   /// A material, which is read once. Throws a GLTFError if there is none.
   const GLTFMaterial& Get(std::size_t index);
@@ -78,7 +78,7 @@ private:
   std::size_t FindImage(const GLTFValue& texture);
 
   GLTFDocument& Document;
-  GLTFErrors& Problems;
+  GLTFErrors& Errors;
   GLTFImages Images;
   std::map<std::size_t, GLTFMaterial> Known;
 };

@@ -398,10 +398,10 @@ GLTFNumbers ReadAttribute(GLTFDocument& document, const GLTFValue& attribute, st
 }
 }
 
-GLTFPrimitives::GLTFPrimitives(GLTFDocument& document, GLTFErrors& problems)
+GLTFPrimitives::GLTFPrimitives(GLTFDocument& document, GLTFErrors& errors)
   : Document(document)
-  , Problems(problems)
-  , Materials(document, problems)
+  , Errors(errors)
+  , Materials(document, errors)
 {
 }
 
@@ -416,7 +416,7 @@ const std::vector<vtkSmartPointer<vtkPolyData>>& GLTFPrimitives::Get(std::size_t
   const GLTFValue source = this->Document.GetElement("meshes", mesh)["primitives"];
   for (std::size_t i = 0; i < source.GetCount(); ++i)
   {
-    this->Problems.Attempt(
+    this->Errors.Attempt(
       [&]
       {
         if (const vtkSmartPointer<vtkPolyData> data = this->Read(source.At(i)))
@@ -430,8 +430,7 @@ const std::vector<vtkSmartPointer<vtkPolyData>>& GLTFPrimitives::Get(std::size_t
 
 vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
 {
-  this->Problems.Omit(
-    primitive["targets"].GetCount() > 0, "morph targets, which are shown at rest");
+  this->Errors.Omit(primitive["targets"].GetCount() > 0, "morph targets, which are shown at rest");
   const GLTFValue attributes = primitive["attributes"];
   const std::optional<std::size_t> position = attributes["POSITION"].GetIndex();
   if (!position)
@@ -460,7 +459,7 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
   maker.Make(mode, data);
   if (maker.GetNumberOfBroken() > 0)
   {
-    this->Problems.Add(primitive.GetPath() + " has " + std::to_string(maker.GetNumberOfBroken()) +
+    this->Errors.Add(primitive.GetPath() + " has " + std::to_string(maker.GetNumberOfBroken()) +
       " cell(s) with indices of missing vertices");
   }
   if (maker.GetNumberOfCells() == 0)
@@ -469,7 +468,7 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
   }
 
   const GLTFMaterial* material = nullptr;
-  this->Problems.Attempt(
+  this->Errors.Attempt(
     [&]
     {
       if (const std::optional<std::size_t> index = primitive["material"].GetIndex())
@@ -478,11 +477,11 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
         data->GetFieldData()->ShallowCopy(material->Arrays->GetFieldData());
       }
     });
-  this->Problems.Attempt([&] { this->AddNormals(attributes, data); });
-  this->Problems.Attempt([&] { this->AddColors(attributes, material, data); });
+  this->Errors.Attempt([&] { this->AddNormals(attributes, data); });
+  this->Errors.Attempt([&] { this->AddColors(attributes, material, data); });
   if (material && material->HasTextures)
   {
-    this->Problems.Attempt([&] { this->AddTexCoords(attributes, material->Mapping, data); });
+    this->Errors.Attempt([&] { this->AddTexCoords(attributes, material->Mapping, data); });
   }
   return data;
 }

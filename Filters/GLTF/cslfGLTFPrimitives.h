@@ -22,7 +22,7 @@ namespace cslf
 class GLTFPrimitives
 {
 public:
-  GLTFPrimitives(GLTFDocument& document, GLTFErrors& problems);
+  GLTFPrimitives(GLTFDocument& document, GLTFErrors& errors);
 
   /// The primitives of a mesh with their materials, which are read once. Primitives that have no
   /// cells or cannot be read are left out.
@@ -36,7 +36,7 @@ private:
   void AddColors(const GLTFValue& attributes, const GLTFMaterial* material, vtkPolyData* data);
 
   GLTFDocument& Document;
-  GLTFErrors& Problems;
+  GLTFErrors& Errors;
   GLTFMaterials Materials;
   std::map<std::size_t, std::vector<vtkSmartPointer<vtkPolyData>>> Known;
 };

@@ -41,11 +41,11 @@ constexpr double GoodCosine = 0.2;
 constexpr double BetterShare = 0.5;
 
 /// The viewpoints that may be so, in the order of their turn.
-constexpr int MaximumGain = 150;
+constexpr int MaximumBetterViews = 150;
 
 /// Groups of up to so many texels are not worth triangles where the mesh has their surface beside
 /// them.
-constexpr std::size_t MaximumSpeckShare = 8;
+constexpr std::size_t MaximumSpeckTexels = 8;
 
 /// The viewpoints that look at the same time.
 constexpr int BatchSize = FaceCount;
@@ -262,7 +262,7 @@ void DropSpecks(const DepthSurfaces& surfaces, std::vector<char>& marks)
       reach(y > 0 ? texel - side : texel, y > 0 && surfaces.IsLinkedDown(texel - side));
       reach(y + 1 < side ? texel + side : texel, y + 1 < side && surfaces.IsLinkedDown(texel));
     }
-    if (isBesideMesh && group.size() <= MaximumSpeckShare)
+    if (isBesideMesh && group.size() <= MaximumSpeckTexels)
     {
       for (const std::size_t texel : group)
       {
@@ -397,7 +397,7 @@ private:
     const bool isGood = cosine >= GoodCosine && footprint <= GoodArea * texel * texel;
     const int batchBegin = batchEnd - 1 - (batchEnd - 1) % BatchSize;
     const int end =
-      isGood ? batchEnd : std::max(batchEnd, std::min<int>(MaximumGain, this->Order.size()));
+      isGood ? batchEnd : std::max(batchEnd, std::min<int>(MaximumBetterViews, this->Order.size()));
     for (int other = batchBegin; other < end; ++other)
     {
       if (other == turn)

@@ -20,10 +20,10 @@ namespace cslf
 namespace
 {
 /// A part keeps at least a tetrahedron.
-constexpr std::size_t MinimumPartShare = 4;
+constexpr std::size_t MinimumPartTriangles = 4;
 
 /// Parts with at most this many triangles lose much of their volume with each one.
-constexpr std::size_t MaximumSmallPartShare = 100;
+constexpr std::size_t SmallPartTriangles = 100;
 
 /// The smallest variance of a part along an axis, as a share of the sum along all axes. What was
 /// flatter, or became so, is not stretched along it.
@@ -185,7 +185,7 @@ void Restore(const Parts& original, SurfaceMesh& mesh)
   for (std::size_t part = 0; part < triangles.size(); ++part)
   {
     const std::vector<glm::uvec3>& before = original.Triangles[part];
-    if (before.size() <= MaximumSmallPartShare && triangles[part].size() < before.size())
+    if (before.size() <= SmallPartTriangles && triangles[part].size() < before.size())
     {
       stretches[part] =
         FindStretch(FindMoments(mesh.Points, triangles[part]), FindMoments(mesh.Points, before));
@@ -239,7 +239,7 @@ std::vector<glm::uvec3> ReducePart(const std::vector<glm::vec3>& points,
 /// The same share of each part, if there are not too many for that.
 void ReduceParts(const Parts& parts, std::size_t most, SurfaceMesh& mesh)
 {
-  if (parts.Triangles.size() * MinimumPartShare > most)
+  if (parts.Triangles.size() * MinimumPartTriangles > most)
   {
     return;
   }
@@ -257,8 +257,8 @@ void ReduceParts(const Parts& parts, std::size_t most, SurfaceMesh& mesh)
   {
     const std::vector<glm::uvec3>& part = parts.Triangles[number];
     const double share = double(part.size()) * double(unused) / double(left);
-    const std::vector<glm::uvec3> reduced = ReducePart(
-      mesh.Points, part, std::max(static_cast<std::size_t>(share + 0.5), MinimumPartShare), places);
+    const std::vector<glm::uvec3> reduced = ReducePart(mesh.Points, part,
+      std::max(static_cast<std::size_t>(share + 0.5), MinimumPartTriangles), places);
     left -= part.size();
     unused -= std::min(unused, reduced.size());
     mesh.Triangles.insert(mesh.Triangles.end(), reduced.begin(), reduced.end());

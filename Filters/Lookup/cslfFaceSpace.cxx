@@ -26,12 +26,12 @@ glm::dvec3 FaceSpaceToCube(int face, const glm::dvec3& pointFC)
 
 glm::dvec2 InverseToPositive(const glm::dvec2& from)
 {
-  return 1.0 / glm::max(1.0 - from, MinimumSideShare);
+  return 1.0 / glm::max(1.0 - from, MinimumSideDistance);
 }
 
 glm::dvec2 InverseToNegative(const glm::dvec2& from)
 {
-  return 1.0 / glm::max(1.0 + from, MinimumSideShare);
+  return 1.0 / glm::max(1.0 + from, MinimumSideDistance);
 }
 
 glm::dvec3 ShareOfWays(const glm::dvec3& directionFC, const glm::dvec2& inverseToPositive,

@@ -36,6 +36,15 @@ public:
   /// The viewpoints that are known to be missing, ascending.
   const std::vector<int>& GetMissing() const { return this->Missing; }
 
+  /// Reports them as the reader does, if there are any.
+  void ReportMissing()
+  {
+    if (!this->Missing.empty())
+    {
+      this->Get(this->Missing.front());
+    }
+  }
+
   /// Prepares viewpoints in the background, in this order. This replaces an earlier request.
   virtual void Prefetch(const std::vector<int>& slices) = 0;
 

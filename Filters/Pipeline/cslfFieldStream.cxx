@@ -152,9 +152,14 @@ bool FieldStream::Read(const Slab& slab)
     this->ReadAhead(slab);
   }
   this->Error.clear();
+  const auto failToDeliver = [this, &slab]
+  {
+    return this->Fail("The input did not deliver the viewpoints " + std::to_string(slab.First) +
+      " to " + std::to_string(slab.Last) + ".");
+  };
   if (!UpdateSlices(this->Information, slab.First, slab.Last))
   {
-    return false;
+    return failToDeliver();
   }
   auto* image = vtkImageData::GetData(this->Information);
   std::string error;
@@ -166,8 +171,7 @@ bool FieldStream::Read(const Slab& slab)
   const int* delivered = image->GetExtent();
   if (delivered[4] > slab.First || delivered[5] < slab.Last)
   {
-    return this->Fail("The input did not deliver the viewpoints " + std::to_string(slab.First) +
-      " to " + std::to_string(slab.Last) + ".");
+    return failToDeliver();
   }
   const std::string text = field->ToText();
   if (!this->Text.empty() && this->Text != text)

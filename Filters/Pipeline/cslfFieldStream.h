@@ -41,7 +41,8 @@ struct Slab
 };
 
 /// Reads a filter's input connection slab by slab. Methods return false on failure; then GetError()
-/// gives the reason in a sentence, or is empty if the upstream filter has reported it already.
+/// gives the reason in a sentence. It is empty if the information cannot be updated, which the
+/// upstream filter has reported.
 class FieldStream
 {
 public:

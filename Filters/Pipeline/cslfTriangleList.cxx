@@ -46,7 +46,7 @@ constexpr double MinimumOrdinaryVectorArea = 0.1;
 
 // Triangles that face away from the polygon fill what is not part of it. Of polygons that are not
 // flat, they may be steep: the cosine of the largest angle.
-constexpr double MinimumCornerCosine = -0.5;
+constexpr double MinimumNormalCosine = -0.5;
 
 /// Checks the triangles that VTK made of a polygon.
 class PolygonCheck
@@ -117,7 +117,7 @@ private:
       sum += part;
       area += size;
       const double along = glm::dot(part, normal);
-      if (along < MinimumCornerCosine * size * glm::length(normal))
+      if (along < MinimumNormalCosine * size * glm::length(normal))
       {
         least = std::min(least, along);
       }

@@ -31,12 +31,12 @@ vec2 ExitCoordinates(vec4 axes, vec2 point)
 // 1 over the distances from a point of the entry face to the sides at +1 and -1.
 vec2 InverseToPositive(vec2 from)
 {
-  return 1.0 / max(1.0 - from, MinimumSideShare);
+  return 1.0 / max(1.0 - from, MinimumSideDistance);
 }
 
 vec2 InverseToNegative(vec2 from)
 {
-  return 1.0 / max(1.0 + from, MinimumSideShare);
+  return 1.0 / max(1.0 + from, MinimumSideDistance);
 }
 
 // The shares of the distances to the sides (x, y) and to the opposite face (z) that a direction

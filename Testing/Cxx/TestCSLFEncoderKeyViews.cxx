@@ -58,7 +58,7 @@ void TestSlices(
   const std::string& fileName, int viewpoints, int step, const std::vector<int>& nodes)
 {
   const auto field = cslf::testing::MakeByteField(viewpoints, 16);
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFEncoder> encoder;
   SetUp(encoder, fileName);
   encoder->LosslessOn();

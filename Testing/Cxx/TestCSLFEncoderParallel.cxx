@@ -100,7 +100,7 @@ void TestTarget(const Setting& setting)
 
 void TestBytes(const Setting& setting)
 {
-  const auto source = cslf::testing::MakeStore(setting.Field);
+  const auto source = cslf::testing::MakeSource(setting.Field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   Set(setting, encoder);
@@ -150,7 +150,7 @@ void TestGeometry(const Setting& setting)
 void TestFailure(const Setting& setting, int disturbed, int telling, const std::string& message,
   const std::function<void(FieldSource*, vtkCSLFEncoder*)>& disturb)
 {
-  const auto source = cslf::testing::MakeStore(setting.Field);
+  const auto source = cslf::testing::MakeSource(setting.Field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   Set(setting, encoder);
@@ -194,7 +194,7 @@ void TestOutOfReach(const Setting& setting)
 void TestResume(const Setting& setting)
 {
   CSLF_CHECK(setting.GetRank() != 0 || cslf::testing::Exists(setting.GetFileName() + ".partial"));
-  const auto source = cslf::testing::MakeStore(setting.Field);
+  const auto source = cslf::testing::MakeSource(setting.Field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   Set(setting, encoder);
@@ -228,7 +228,7 @@ void TestFailures(const Setting& setting)
   // last slice is one of the last to be coded.
   for (int slice : { 60, 148 })
   {
-    const auto source = cslf::testing::MakeStore(setting.Field);
+    const auto source = cslf::testing::MakeSource(setting.Field);
     source->FailingSlice = slice;
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetInputConnection(source->GetOutputPort());

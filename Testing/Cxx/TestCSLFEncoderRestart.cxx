@@ -54,7 +54,7 @@ void Set(vtkCSLFEncoder* encoder, const std::string& fileName, const Change& cha
 Outcome Write(
   vtkImageData* field, const std::string& fileName, const Change& change = [](vtkCSLFEncoder*) {})
 {
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   Set(encoder, fileName, change);

@@ -24,13 +24,13 @@
 
 namespace
 {
-using cslf::testing::MakeStore;
+using cslf::testing::MakeSource;
 
 void TestThreads(vtkImageData* field, const std::string& folder)
 {
   for (int threads : { 1, 2 })
   {
-    const auto source = MakeStore(field);
+    const auto source = MakeSource(field);
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetInputConnection(source->GetOutputPort());
     encoder->SetPreset("ultrafast");
@@ -50,7 +50,7 @@ void TestAbort(vtkImageData* field, const std::string& folder)
 {
   const std::string fileName = folder + "/aborted.mp4";
   cslf::testing::WriteBytes(fileName, { 'o', 'l', 'd' });
-  const auto source = MakeStore(field);
+  const auto source = MakeSource(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   encoder->SetPreset("ultrafast");
@@ -130,7 +130,7 @@ void TestPhases(const std::string& folder)
 void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
 {
   const std::string fileName = folder + "/failing.mkv";
-  const auto source = MakeStore(field);
+  const auto source = MakeSource(field);
   source->FailingSlice = slice;
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
@@ -144,7 +144,7 @@ void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
   CSLF_CHECK(!cslf::testing::Exists(fileName));
   const bool isKept = cslf::testing::Exists(fileName + ".partial");
   CSLF_CHECK(isKept == (slice > 0));
-  const auto whole = MakeStore(field);
+  const auto whole = MakeSource(field);
   vtkNew<vtkCSLFEncoder> next;
   next->SetInputConnection(whole->GetOutputPort());
   next->SetPreset("ultrafast");

@@ -42,7 +42,7 @@ struct Outcome
 
 Outcome Write(vtkImageData* field, const std::string& fileName, const Change& change)
 {
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   encoder->SetPreset("ultrafast");
@@ -126,7 +126,7 @@ void TestThreads(vtkImageData* field, const std::string& folder)
 void TestRefused(
   vtkImageData* field, const std::string& folder, const std::string& message, const Change& change)
 {
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(source->GetOutputPort());
   encoder->SetPreset("ultrafast");

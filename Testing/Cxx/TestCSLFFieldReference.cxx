@@ -196,7 +196,7 @@ void TestSlabsAndThreads()
   const auto whole = MakeReference(field, 32, 700);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&]() { whole->Update(); });
   const auto parts = MakeReference(field, 32, 700);
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   parts->SetInputConnection(1, source->GetOutputPort());
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&]() { parts->Update(); });
   CSLF_CHECK(source->MaximumRequest == 1 && source->Slices <= slices + 1);

@@ -207,7 +207,7 @@ void TestThreads(vtkImageData* field)
 void TestDemand(vtkImageData* field)
 {
   vtkNew<vtkCSLFGeometryFilter> filter;
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   filter->SetInputConnection(source->GetOutputPort());
   int part[6];
   std::copy_n(field->GetExtent(), 6, part);

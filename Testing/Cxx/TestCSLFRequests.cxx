@@ -34,7 +34,7 @@
 namespace
 {
 using cslf::testing::FieldSource;
-using cslf::testing::MakeStore;
+using cslf::testing::MakeSource;
 
 constexpr int Viewpoints = 5;
 constexpr int Slices = 6 * Viewpoints * Viewpoints;
@@ -100,17 +100,17 @@ void StopEarly(vtkAlgorithm* algorithm)
 void TestWriters(const std::string& folder)
 {
   {
-    const auto source = MakeStore(GetField());
+    const auto source = MakeSource(GetField());
     CSLF_CHECK(MakeEncoder(source, folder)->Write() == 1);
     CheckSource(source, "Write() of an encoder");
   }
   {
-    const auto source = MakeStore(GetField());
+    const auto source = MakeSource(GetField());
     MakeEncoder(source, folder)->Update();
     CheckSource(source, "Update() of an encoder");
   }
   {
-    const auto source = MakeStore(GetField());
+    const auto source = MakeSource(GetField());
     CSLF_CHECK(MakeImageWriter(source, folder)->Write() == 1);
     CheckSource(source, "Write() of an image writer");
   }
@@ -118,7 +118,7 @@ void TestWriters(const std::string& folder)
 
 void TestFailures(const std::string& folder, int failingSlice)
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   const cslf::testing::Observed sourceObserved(source);
   const auto encoder = MakeEncoder(source, folder);
   const cslf::testing::Observed encoderObserved(encoder);
@@ -136,7 +136,7 @@ void TestFailures(const std::string& folder, int failingSlice)
 
 void TestAborts(const std::string& folder)
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   const auto encoder = MakeEncoder(source, folder);
   const cslf::testing::Observed encoderObserved(encoder);
   StopEarly(encoder);
@@ -154,7 +154,7 @@ void TestAborts(const std::string& folder)
 /// The user's own request is made again, not the whole.
 void TestOwnRequest(const std::string& folder)
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   int part[6];
   std::copy_n(GetField()->GetExtent(), 6, part);
   part[4] = 7;
@@ -168,7 +168,7 @@ void TestOwnRequest(const std::string& folder)
 
 void TestResample(const std::string& folder)
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetViewpointStride(2);
@@ -196,7 +196,7 @@ void TestResample(const std::string& folder)
 /// A filter that pulls parts does not change what another consumer of the same producer gets.
 void TestTwoConsumers()
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(1);
@@ -215,7 +215,7 @@ void TestTwoConsumers()
 void TestPieces()
 {
   vtkNew<vtkCSLFResample> resample;
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetViewpointStride(2);
   const cslf::testing::Observed observed(resample);
@@ -234,7 +234,16 @@ void TestPieces()
 
 void TestGeometryAndQuality()
 {
-  const auto source = MakeStore(GetField());
+  {
+    // A filter that is asked for a geometry, but makes none, has requested its first viewpoint.
+    const auto source = MakeSource(GetField());
+    vtkNew<vtkCSLFGeometryFilter> none;
+    none->SetInputConnection(source->GetOutputPort());
+    none->SetGeometryTriangles(0);
+    none->Update(1);
+    CheckSource(source, "a filter without a geometry");
+  }
+  const auto source = MakeSource(GetField());
   vtkNew<vtkCSLFGeometryFilter> filter;
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetGeometryTriangles(500);
@@ -243,7 +252,7 @@ void TestGeometryAndQuality()
   CheckSource(source, "a geometry filter");
 
   source->Modified();
-  const auto other = MakeStore(GetField());
+  const auto other = MakeSource(GetField());
   vtkNew<vtkCSLFFieldQuality> quality;
   quality->SetInputConnection(0, source->GetOutputPort());
   quality->SetInputConnection(1, other->GetOutputPort());
@@ -263,7 +272,7 @@ void SetScene(vtkCSLFPathTracer* tracer)
 
 void TestReference()
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   vtkNew<vtkCSLFFieldReference> reference;
   SetScene(reference);
   reference->SetInputConnection(1, source->GetOutputPort());
@@ -294,7 +303,7 @@ void TestEstimator()
 /// A mapper draws the whole field, from the port that it is connected to.
 void TestMapper()
 {
-  const auto source = MakeStore(GetField());
+  const auto source = MakeSource(GetField());
   int part[6];
   std::copy_n(GetField()->GetExtent(), 6, part);
   part[4] = part[5] = 3;

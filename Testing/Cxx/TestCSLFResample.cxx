@@ -257,7 +257,7 @@ void TestStreaming()
 {
   const auto field = cslf::testing::MakeByteField(9, 16);
   const auto whole = Resample(field, 2, 2);
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);
@@ -281,7 +281,7 @@ void TestStreaming()
 void TestVideo(const std::string& folder)
 {
   const auto field = cslf::testing::MakeByteField(5, 32);
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);
@@ -342,7 +342,7 @@ void TestErrors()
   TestRefused(picture, 2, 1, "not a light field");
 
   // If the input fails or is stopped, nothing is left.
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   source->FailingSlice = 70;
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
@@ -366,7 +366,7 @@ void TestErrors()
 void TestPhases()
 {
   const auto field = cslf::testing::MakeByteField(5, 16);
-  const auto source = cslf::testing::MakeStore(field);
+  const auto source = cslf::testing::MakeSource(field);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(source->GetOutputPort());
   resample->SetResolutionDivisor(2);

@@ -51,7 +51,7 @@ int FieldSource::RequestData(
   return 1;
 }
 
-vtkSmartPointer<FieldSource> MakeStore(vtkImageData* field)
+vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field)
 {
   auto source = vtkSmartPointer<FieldSource>::New();
   source->Field = field;

@@ -35,7 +35,7 @@ protected:
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
 };
 
-vtkSmartPointer<FieldSource> MakeStore(vtkImageData* field);
+vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field);
 }
 }
 

@@ -49,15 +49,10 @@ LAYERS = {
 CLASSES = {
     "Filters/Planning": {"vtkCSLFEncoder.h", "vtkCSLFRadianceCacheOptions.h",
         "vtkCSLFRateControl.h", "vtkCSLFSampler.h"},
-    "Filters/Pipeline": {"vtkCSLFDecoder.h"},
-    "Rendering": {"vtkCSLFDecoder.h"},
 }
 
 # Folders whose headers are included by their names alone, because they hold public classes.
 PUBLIC = (*ROOTS, "Filters/Planning", "Filters/SceneData")
-
-# Folders that still include each other.
-MUTUAL = {("Filters", "Filters/Pipeline")}
 
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
 LIBRARIES = {
@@ -140,7 +135,7 @@ def find_mutual(source):
             pair = str(file.parent.relative_to(source)), str(header.parent)
             pairs.setdefault(pair, f"{file.name} includes {header.name}")
     for (one, other), example in pairs.items():
-        if one < other and (other, one) in pairs and (one, other) not in MUTUAL:
+        if one < other and (other, one) in pairs:
             yield f"{one} and {other} include each other: {example}, {pairs[other, one]}"
 
 

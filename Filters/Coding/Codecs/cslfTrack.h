@@ -60,7 +60,7 @@ struct ReaderConstants
   /// Lossy coverage this close to none or full counts as none or full. On the closed-form test
   /// field, 8 removes 19 of 20 false traces of coverage at a rate factor of 12.
   int CoverageTolerance = 8;
-  double Mu = 40.0;     ///< of the curve of cslfDepthCurve.h
+  double Mu = 40.0;     ///< of the curve of cslfFrameConverter.h
   double White = 203.0; ///< of the perceptual quantiser: the luminance of radiance 1, in cd/m^2
 };
 
@@ -73,7 +73,7 @@ struct Track
   bool Lossless = false;
   Codec Coding = Codec::HEVC;
   bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
-  bool IsCurved = false;   ///< numbers: through the curve of cslfDepthCurve.h
+  bool IsCurved = false;   ///< numbers: through the curve of cslfFrameConverter.h
   /// Colour with less chroma than luma: where it lies, AVCHROMA_LOC_LEFT or, in older files,
   /// AVCHROMA_LOC_CENTER.
   AVChromaLocation Siting = AVCHROMA_LOC_LEFT;

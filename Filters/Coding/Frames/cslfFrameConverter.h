@@ -5,8 +5,8 @@
  * Converts slices of the light field to video frames and back.
  *
  * Colour is stored as full-range Y'CbCr with the matrix of ITU-R BT.709, or as planar RGB; float
- * colour as Y'CbCr, through the perceptual quantiser. Coverage is stored unchanged, depth rounded
- * to 10 or 12 bits or as two bytes. If a codec has no gray format, both are luma, and chroma is
+ * colour as Y'CbCr, through the perceptual quantiser. Coverage is stored unchanged, depth in 10 or
+ * 12 bits by a curve, or as two bytes. If a codec has no gray format, both are luma, and chroma is
  * ignored.
  */
 #ifndef cslfFrameConverter_h
@@ -21,7 +21,10 @@
 
 namespace cslf
 {
-/// The curve's parameter, with t the depth in [0,1] and c the code in [0,1]:
+/// The parameter of the curve by which depth is coded: its steps grow with depth, so that the
+/// relative error of coding is about the same for all depths. Lookups compare positions along a ray
+/// by inverse depth, so an error that is harmless far away makes holes in near surfaces. With t the
+/// depth in [0,1] and c the code in [0,1]:
 /// c = ln(1 + mu t) / ln(1 + mu), the mu-law of ITU-T G.711.
 constexpr int DepthMu = 40;
 

@@ -50,12 +50,6 @@ bool EncodeProbe::Begin(std::string& error)
   {
     return false;
   }
-  this->Requests.emplace(this->Producer->GetOutputPort(0));
-  if (!UpdateSlices(information, 0, 0))
-  {
-    error = "The sampler failed.";
-    return false;
-  }
   this->Input.emplace(this->Producer->GetOutputPort(0), *grid);
   this->Input->SetKeyViewStep(this->Settings.KeyViewStep);
   this->Writer.emplace("probe.mp4", this->Settings);

@@ -7,7 +7,6 @@
 #ifndef cslfEncodeProbe_h
 #define cslfEncodeProbe_h
 
-#include "Pipeline/cslfRequests.h"
 #include "cslfFieldWriter.h"
 #include "cslfViewpointReader.h"
 
@@ -76,7 +75,6 @@ private:
   vtkSmartPointer<vtkPolyData> Geometry;
   std::optional<ComputedChannels> Computed;
   GeometryPlan Plan;
-  std::optional<KeptRequests> Requests;
   std::optional<ViewpointReader> Input;
   std::optional<FieldWriter> Writer;
   bool IsCoveredFully = true; // by all groups made so far

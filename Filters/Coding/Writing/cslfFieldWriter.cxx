@@ -228,9 +228,11 @@ GroupCost FieldWriter::GetCost(const GroupParts& parts) const
     const bool isCoverage = this->Header.Tracks[track].Kind.Role == CoverageRole;
     double& bytes = isCoverage ? cost.CoverageBytes : cost.Bytes;
     bytes += parts.size() > 1 ? container.GroupBetweenOthers : container.Group;
+    const std::vector<CodedFrame>& frames = parts[track].Frames;
     int place = 0;
-    int last = 0;
-    for (const CodedFrame& frame : parts[track].Frames)
+    // The group before it ends about as this one does.
+    int last = frames.empty() ? 0 : frames.back().Index - static_cast<int>(frames.size() - 1);
+    for (const CodedFrame& frame : frames)
     {
       const int offset = frame.Index - place++;
       bytes += container.Frame + static_cast<double>(frame.Data.size()) +

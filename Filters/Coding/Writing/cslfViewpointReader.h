@@ -26,6 +26,7 @@ class vtkInformation;
 
 namespace cslf
 {
+/// Viewpoints of groups that are coded several times.
 class GroupCache
 {
 public:
@@ -75,14 +76,15 @@ std::optional<Layout> FindGrid(vtkInformation* information);
 class ViewpointReader
 {
 public:
-  /// Reads from a connection whose whole extent is `grid`'s, and whose first viewpoint is there.
+  /// Reads from a connection whose whole extent is `grid`'s.
   ViewpointReader(vtkAlgorithmOutput* connection, const Layout& grid);
 
   /// From now on, fields and slices are those of the key views only. At first, all viewpoints are
   /// key views.
   void SetKeyViewStep(int step) { this->Keys = KeyViews(this->Grid.GetViewpoints(), step); }
 
-  /// Reads the description. On failure returns false and gives the reason in a sentence.
+  /// Reads the first viewpoint with the description. On failure returns false and gives the reason
+  /// in a sentence.
   bool Begin(std::string& error);
 
   Description GetField() const { return this->Keys.Apply(this->Input.GetDescription()); }

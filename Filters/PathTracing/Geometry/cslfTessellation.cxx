@@ -22,7 +22,7 @@ constexpr int MinimumSides = 6;
 constexpr int MaximumSides = 64;
 
 /// The fewest triangles that a coarser instance has.
-constexpr std::size_t MinimumPartShare = 8;
+constexpr std::size_t MinimumPartTriangles = 8;
 
 /// The spheres or tubes between two reports of progress.
 constexpr std::size_t ShapesOfReport = 4096;
@@ -237,7 +237,7 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress&
       Simplify(changed, tolerance);
       constexpr bool byParts = true;
       Reduce(changed,
-        std::max(std::min(changed.Triangles.size() >> coarseness, most), MinimumPartShare),
+        std::max(std::min(changed.Triangles.size() >> coarseness, most), MinimumPartTriangles),
         byParts);
     });
   for (const MeshInstance& instance : mesh.Instances)
@@ -277,9 +277,9 @@ std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
   {
     const bool isRound = mesh.Shape != Mesh::Shapes::Triangles;
     const std::size_t shapes = mesh.GetNumberOfShapes() * (isRound ? MinimumOfRound : 1);
-    count += mesh.Instances.empty()
-      ? shapes
-      : mesh.Instances.size() * std::max(std::min(shapes, shapes >> coarseness), MinimumPartShare);
+    count += mesh.Instances.empty() ? shapes
+                                    : mesh.Instances.size() *
+        std::max(std::min(shapes, shapes >> coarseness), MinimumPartTriangles);
   }
   return count;
 }

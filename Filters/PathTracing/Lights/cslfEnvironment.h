@@ -20,6 +20,10 @@
 
 namespace cslf
 {
+/// The transfer function of an image file, from the name of the colour space that OpenImageIO
+/// reports. The names differ between its versions: "sRGB", "Linear", "Gamma2.2" up to 2.4; then
+/// "lin_srgb" and "lin_rec709" as well; since 3.1 "srgb_rec709_scene", "lin_rec709_scene",
+/// "g22_rec709_scene".
 class VTKCSLF_EXPORT ImageCurve
 {
 public:

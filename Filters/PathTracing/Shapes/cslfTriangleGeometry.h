@@ -36,7 +36,7 @@ constexpr float MinimumOffset = 1e-9f;
 constexpr float MaximumOffset = 1e-5f;
 
 // The smallest cosine between a shading normal and the direction to the viewer.
-constexpr float MinimumCornerCosine = 1e-3f;
+constexpr float MinimumViewCosine = 1e-3f;
 
 // Shorter normals have no direction.
 constexpr float ShortestNormal = 1e-6f;
@@ -101,7 +101,7 @@ inline glm::vec3 FaceOutgoing(
 {
   const float length = glm::length(normal);
   const glm::vec3 unit = TurnTo(normal, geometric) / length;
-  const float lack = std::max(MinimumCornerCosine - glm::dot(unit, outgoing), 0.0f);
+  const float lack = std::max(MinimumViewCosine - glm::dot(unit, outgoing), 0.0f);
   const glm::vec3 bent = unit + lack * outgoing;
   return Choose(length > ShortestNormal, bent / glm::length(bent), geometric);
 }
