@@ -17,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
+#include <vtkTriangleStrip.h>
 
 #include <glm/geometric.hpp>
 
@@ -301,15 +302,9 @@ private:
     {
       sources->InsertNextValue(this->FirstPolygon + polygon);
     }
-    const vtkIdType firstStrip = this->FirstPolygon + this->Data->GetNumberOfPolys();
-    for (vtkIdType strip = 0; strip < this->Data->GetNumberOfStrips(); ++strip)
-    {
-      sources->InsertNextValue(firstStrip + strip);
-    }
     vtkNew<vtkPolyData> ordinary;
     ordinary->SetPoints(this->Data->GetPoints());
     ordinary->SetPolys(this->GetOrdinary());
-    ordinary->SetStrips(this->Data->GetStrips());
     ordinary->GetCellData()->AddArray(sources);
     vtkNew<vtkTriangleFilter> triangulate;
     triangulate->SetInputData(ordinary);
@@ -319,6 +314,35 @@ private:
     this->Result.Triangles->GetFieldData()->PassData(this->Data->GetFieldData());
     this->Sources = vtkIdTypeArray::SafeDownCast(
       this->Result.Triangles->GetCellData()->GetAbstractArray(SourceName));
+    this->AddStrips();
+  }
+
+  /// Not by VTK's filter, which in version 9.6 loses which cells the triangles are of.
+  void AddStrips()
+  {
+    if (this->Data->GetNumberOfStrips() == 0)
+    {
+      return;
+    }
+    if (!this->Sources)
+    {
+      this->Sources = vtkSmartPointer<vtkIdTypeArray>::New();
+      this->Sources->SetName(SourceName);
+    }
+    vtkNew<vtkCellArray> triangles;
+    triangles->DeepCopy(this->Result.Triangles->GetPolys());
+    const vtkIdType firstStrip = this->FirstPolygon + this->Data->GetNumberOfPolys();
+    ForEachCell(this->Data->GetStrips(),
+      [&](vtkIdType strip, vtkIdType count, const vtkIdType* points)
+      {
+        const vtkIdType before = triangles->GetNumberOfCells();
+        vtkTriangleStrip::DecomposeStrip(static_cast<int>(count), points, triangles);
+        for (vtkIdType i = before; i < triangles->GetNumberOfCells(); ++i)
+        {
+          this->Sources->InsertNextValue(firstStrip + strip);
+        }
+      });
+    this->Result.Triangles->SetPolys(triangles);
   }
 
   /// Finds the polygons that VTK's triangles do not fill.
