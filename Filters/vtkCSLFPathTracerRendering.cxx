@@ -12,10 +12,6 @@
 #include <chrono>
 #include <vector>
 
-namespace
-{
-}
-
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
 {
   cslf::RenderSettings settings;

@@ -71,7 +71,7 @@ std::string Describe(const FieldPart& part)
 std::string FindPartError(const std::string& option)
 {
   return SplitOption(option) ? std::string()
-                       : "\"" + option +
+                             : "\"" + option +
       "\" is not of the form NAME=TYPE:FILE, such as "
       "scene=model/gltf-binary:scene.glb";
 }
