@@ -88,7 +88,9 @@ for index, (source, array, properties) in enumerate(surfaces.values()):
     if array:
         ColorBy(display, array)
     display.Ambient, display.Diffuse = 1.0, 0.0
-    display.Position = [STEP * (index % COLUMNS), STEP * (index // COLUMNS), 0.0]
+    # The name of the property in ParaView 5.13, and before.
+    position = "Translation" if "Translation" in display.ListProperties() else "Position"
+    setattr(display, position, [STEP * (index % COLUMNS), STEP * (index // COLUMNS), 0.0])
     for name, value in properties.items():
         setattr(display, name, value)
 use_viridis("RTData", 100.0, 270.0)
