@@ -14,13 +14,13 @@ namespace
 {
 constexpr ChannelForm Forms[] = {
   { KnownChannel::Color, ColorName, SRGBEncoding, VTK_UNSIGNED_CHAR, 4, SampleKind::ByteColor, 0.0,
-    Reduction::LightMean, Interpolation::Linear },
+    Reduction::LightMean, Interpolation::Linear, false },
   { KnownChannel::Color, ColorName, LinearEncoding, VTK_FLOAT, 4, SampleKind::FloatColor, 0.0,
-    Reduction::Mean, Interpolation::Linear },
+    Reduction::Mean, Interpolation::Linear, false },
   { KnownChannel::Depth, DepthName, DepthEncoding, VTK_UNSIGNED_SHORT, 1, SampleKind::Number16, 1.0,
-    Reduction::Minimum, Interpolation::Nearest },
+    Reduction::Minimum, Interpolation::Nearest, true },
   { KnownChannel::Depth, DepthName, DepthEncoding, VTK_FLOAT, 1, SampleKind::FloatNumber, 1.0,
-    Reduction::Minimum, Interpolation::Nearest },
+    Reduction::Minimum, Interpolation::Nearest, true },
 };
 
 template <typename Condition>

@@ -89,6 +89,9 @@ struct ChannelForm
   double Fill; ///< the number where nothing is covered
   Reduction Reduce;
   Interpolation Interpolate;
+  /// Whether it tells how far away a surface is. Files store distances by a curve whose steps grow
+  /// with them, and move the rims of what is covered away.
+  bool IsDistance;
 };
 
 /// The form of a channel, or null if the channel is not known or cannot have its type, number of

@@ -25,14 +25,21 @@ struct Format
   int Bytes; ///< of a texel in graphics memory
 };
 
-/// In the order of SampleKind.
-constexpr Format Formats[] = { { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 },
-  { GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 }, { GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 },
-  { GL_R32F, GL_RED, GL_FLOAT, 4 } };
-
-const Format& FormatOf(const Channel& channel)
+/// The format of a known channel.
+Format FormatOf(const Channel& channel)
 {
-  return Formats[static_cast<std::size_t>(FindForm(channel)->Kind)];
+  switch (FindForm(channel)->Kind)
+  {
+    case SampleKind::ByteColor:
+      return { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 };
+    case SampleKind::FloatColor:
+      return { GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 };
+    case SampleKind::Number16:
+      return { GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 };
+    case SampleKind::FloatNumber:
+      break;
+  }
+  return { GL_R32F, GL_RED, GL_FLOAT, 4 };
 }
 
 GLint GetLimit(GLenum name)

@@ -6,6 +6,17 @@
 
 #include "Coding/Frames/cslfFrameConverter.h"
 #include "Coding/Frames/cslfTexelRows.h"
+#include "cslfColor.h"
+#include "cslfLayout.h"
+
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+extern "C"
+{
+#include <libavutil/frame.h>
+}
 
 #include <algorithm>
 #include <cmath>
@@ -61,10 +72,63 @@ void TestJoined(int tolerance)
     CSLF_CHECK(depths[k] == (alpha == 0 ? 65535 : 1234));
   }
 }
+
+// Numbers that are no distances are coded in equal steps, and stay the same beside what is not
+// covered. Distances there move away.
+void TestNumbers(bool areDistances)
+{
+  constexpr int resolution = 16;
+  constexpr int texels = cslf::TileCount * resolution * resolution;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(cslf::ColorBytes);
+  colors->SetNumberOfTuples(texels);
+  vtkNew<vtkUnsignedShortArray> numbers;
+  numbers->SetNumberOfTuples(texels);
+  for (int i = 0; i < texels; ++i)
+  {
+    const bool isCovered = i % resolution < 8;
+    const double code = isCovered ? 255.0 : 0.0;
+    colors->SetTuple4(i, code, code, code, code);
+    numbers->SetValue(i, static_cast<unsigned short>(isCovered ? 20000 - 150 * (i % 8) : 65535));
+  }
+  cslf::ViewpointSamples samples;
+  samples.SetArray(cslf::KnownChannel::Color, colors);
+  samples.SetArray(cslf::KnownChannel::Depth, numbers);
+  cslf::Track track;
+  track.Role = cslf::DepthRole;
+  track.Format = AV_PIX_FMT_GRAY12;
+  track.IsCurved = areDistances;
+  AVFrame* frame = av_frame_alloc();
+  cslf::TagFrame(track, resolution, frame);
+  CSLF_CHECK(av_frame_get_buffer(frame, 0) == 0);
+  cslf::SliceToFrame(track, resolution).Convert(samples, frame);
+  vtkNew<vtkUnsignedShortArray> decoded;
+  decoded->SetNumberOfTuples(texels);
+  cslf::ViewpointSamples result;
+  result.SetArray(cslf::KnownChannel::Color, colors);
+  result.SetArray(cslf::KnownChannel::Depth, decoded);
+  CSLF_CHECK(cslf::FrameToSlice(track, resolution).Convert(frame, result));
+  av_frame_free(&frame);
+  constexpr int step = 65536 / 4096;
+  for (int i = 0; i < texels; ++i)
+  {
+    const int difference = decoded->GetValue(i) - numbers->GetValue(i);
+    if (i % resolution < 7)
+    {
+      CSLF_CHECK(std::abs(difference) <= step);
+    }
+    else if (i % resolution == 7)
+    {
+      CSLF_CHECK(areDistances ? difference > 100 : std::abs(difference) <= step);
+    }
+  }
+}
 }
 
 int TestCSLFTexelRows(int, char*[])
 {
+  TestNumbers(false);
+  TestNumbers(true);
   TestDepths(10);
   TestDepths(12);
   for (int tolerance : { 0, 3, 255 })

@@ -4,8 +4,6 @@
 
 #include "cslfJoin.h"
 
-#include <vtkType.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -75,15 +73,19 @@ const std::map<std::string, TrackRole>& GetRoles()
 
 SampleKind KindOf(KnownChannel id)
 {
-  const ChannelForm* bytes = FindForm(MakeChannel(id, VTK_UNSIGNED_CHAR));
-  return bytes ? bytes->Kind : SampleKind::Number16;
+  return FindForm(MakeChannel(id))->Kind;
 }
 
 std::vector<Plane> GetPlanes(SampleKind kind, bool isLossless)
 {
-  if (kind == SampleKind::ByteColor || kind == SampleKind::FloatColor)
+  switch (kind)
   {
-    return { Plane::Colors, Plane::Coverage };
+    case SampleKind::ByteColor:
+    case SampleKind::FloatColor:
+      return { Plane::Colors, Plane::Coverage };
+    case SampleKind::Number16:
+    case SampleKind::FloatNumber:
+      break;
   }
   return isLossless ? std::vector<Plane>{ Plane::HighByte, Plane::LowByte }
                     : std::vector<Plane>{ Plane::Numbers };

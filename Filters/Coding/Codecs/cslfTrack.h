@@ -48,7 +48,7 @@ constexpr TrackRole ColorRole{ KnownChannel::Color, Plane::Colors };
 constexpr TrackRole CoverageRole{ KnownChannel::Color, Plane::Coverage };
 constexpr TrackRole DepthRole{ KnownChannel::Depth, Plane::Numbers };
 
-/// The kind of samples of a channel whose type is integer, which tells colours from numbers.
+/// The kind of samples of a channel in its first form, which tells colours from numbers.
 SampleKind KindOf(KnownChannel id);
 
 /// The planes in which a kind of samples is coded. Numbers are coded without loss as two bytes.

@@ -218,9 +218,12 @@ AVPixelFormat VideoEncoder::GetFormat(SampleKind kind, Plane plane) const
       return kind == SampleKind::FloatColor ? this->FloatColors : this->ByteColors.front();
     case Plane::Numbers:
       return this->Numbers;
-    default:
-      return this->Bytes;
+    case Plane::Coverage:
+    case Plane::HighByte:
+    case Plane::LowByte:
+      break;
   }
+  return this->Bytes;
 }
 
 const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution)

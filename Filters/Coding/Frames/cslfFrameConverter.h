@@ -35,10 +35,10 @@ const std::vector<std::uint16_t>& GetDepthCodes(int bits);
 VTKCSLF_EXPORT std::vector<unsigned short> MakeCodedDepths(int bits, double mu);
 
 /// Sets the size, format and colour tags of what a track's encoder or frame holds.
-void TagFrame(const Track& track, int resolution, AVFrame* frame);
+VTKCSLF_EXPORT void TagFrame(const Track& track, int resolution, AVFrame* frame);
 
 /// Turns slices into frames of one track.
-class SliceToFrame
+class VTKCSLF_EXPORT SliceToFrame
 {
 public:
   SliceToFrame(const Track& track, int resolution);
@@ -56,7 +56,7 @@ private:
 };
 
 /// Converts frames of one track to its part of slices, colour before coverage.
-class FrameToSlice
+class VTKCSLF_EXPORT FrameToSlice
 {
 public:
   FrameToSlice(const Track& track, int resolution);

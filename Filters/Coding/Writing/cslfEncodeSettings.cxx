@@ -25,6 +25,23 @@ constexpr int MinimumResolution = 16;
 constexpr const char* AutomaticFormat = "auto";
 }
 
+double EncodeSettings::GetCRF(Plane plane) const
+{
+  switch (plane)
+  {
+    case Plane::Colors:
+      return this->CRF;
+    case Plane::Coverage:
+      return this->CoverageCRF;
+    case Plane::Numbers:
+      return this->DepthCRF;
+    case Plane::HighByte:
+    case Plane::LowByte:
+      break;
+  }
+  return 0.0;
+}
+
 EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
 {
   EncoderChoice choice;

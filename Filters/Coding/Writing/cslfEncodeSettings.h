@@ -31,6 +31,9 @@ struct EncodeSettings
   double NovelViewPSNR = 0.0;
   std::string Codec = "hevc";
 
+  /// The constant rate factor of a plane; that of bytes of numbers, which are lossless, is 0.
+  double GetCRF(Plane plane) const;
+
   /// Whether readers may compute what a geometry tells.
   bool ComputesDepth() const { return this->DepthFromGeometry && !this->Lossless; }
 };

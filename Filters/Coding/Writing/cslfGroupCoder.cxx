@@ -212,32 +212,29 @@ GroupCoder::GroupCoder(const EncodeSettings& settings, const Description& field,
   {
     if (const Channel* channel = field.FindChannel(id))
     {
-      this->AddTracks(id, FindForm(*channel)->Kind, choice);
+      this->AddTracks(*FindForm(*channel), choice);
     }
   }
 }
 
-void GroupCoder::AddTracks(KnownChannel id, SampleKind kind, const EncoderChoice& choice)
+void GroupCoder::AddTracks(const ChannelForm& form, const EncoderChoice& choice)
 {
-  for (const Plane plane : GetPlanes(kind, this->Settings.Lossless))
+  for (const Plane plane : GetPlanes(form.Kind, this->Settings.Lossless))
   {
     Track track;
-    track.Role = { id, plane };
+    track.Role = { form.Id, plane };
     if (std::find(this->Computed.begin(), this->Computed.end(), track.Role) != this->Computed.end())
     {
       continue;
     }
-    track.Format = plane == Plane::Colors ? choice.Color : choice.Encoder->GetFormat(kind, plane);
+    track.Format =
+      plane == Plane::Colors ? choice.Color : choice.Encoder->GetFormat(form.Kind, plane);
     track.Lossless = this->Settings.Lossless;
     track.Coding = choice.Encoder->Coding;
-    track.IsRadiance = kind == SampleKind::FloatColor && plane == Plane::Colors;
-    track.IsCurved = plane == Plane::Numbers;
-    const double crf = plane == Plane::Colors ? this->Settings.CRF
-      : plane == Plane::Coverage              ? this->Settings.CoverageCRF
-      : plane == Plane::Numbers               ? this->Settings.DepthCRF
-                                              : 0.0;
-    this->Encodings.push_back(
-      { track, { this->Settings.Preset, crf, this->Settings.GroupLength } });
+    track.IsRadiance = form.Kind == SampleKind::FloatColor && plane == Plane::Colors;
+    track.IsCurved = form.IsDistance && plane == Plane::Numbers;
+    this->Encodings.push_back({ track,
+      { this->Settings.Preset, this->Settings.GetCRF(plane), this->Settings.GroupLength } });
   }
 }
 
