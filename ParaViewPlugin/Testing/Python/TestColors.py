@@ -11,7 +11,7 @@ COLUMNS, ROWS = 4, 2
 
 def use_viridis(name, minimum, maximum):
     table = GetColorTransferFunction(name)
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset(VIRIDIS, True)
     table.RescaleTransferFunction(minimum, maximum)
     return table
 

@@ -81,7 +81,7 @@ check(None not in names and len(set(names)) == len(names), f"captured {names}")
 # The field has a legend of what was baked. When the colour map of the view changes, the field and
 # its legend stay, and a note in orange says that they are out of date, until it changes back.
 table = GetColorTransferFunction("Elevation")
-table.ApplyPreset("Viridis (matplotlib)", True)
+table.ApplyPreset(VIRIDIS, True)
 Hide(hidden, view)
 Render(view)
 captured.InvokeCommand("Capture")
@@ -115,7 +115,7 @@ changed = take_picture(baked_view, "changed.png")
 check(count_note(changed) > 40, "no note says that the field is out of date")
 top = SIZE // 6
 check(psnr(changed[top:], legend[top:]) > 60, "the field or its legend follows the colour map")
-table.ApplyPreset("Viridis (matplotlib)", True)
+table.ApplyPreset(VIRIDIS, True)
 check(psnr(take_picture(baked_view, "back.png"), legend) > 60, "the note stays")
 
 for unused in (field, active, unnamed):

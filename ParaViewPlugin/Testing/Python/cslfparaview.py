@@ -13,6 +13,11 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 SIZE = 256
 
+# The name of that colour map in ParaView 6.1, and before.
+version = (servermanager.vtkSMProxyManager.GetVersionMajor(),
+           servermanager.vtkSMProxyManager.GetVersionMinor())
+VIRIDIS = "Viridis" if version >= (6, 1) else "Viridis (matplotlib)"
+
 
 def make_scene():
     """A sphere coloured by height, above the origin."""
