@@ -36,7 +36,7 @@ cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
 
 # Triangles that say where surfaces are.
 cslf_add(Filters/Geometry
-  DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SideColors
+  ColorFit DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SideColors
   SurfaceError SurfaceMesh TileFrame TilePatch ViewpointChoice)
 
 # Looking up rays in a field. Its constants become a header and a shader.
@@ -109,7 +109,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/Parallel SceneGather)
-  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
+  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces SurfaceLight Tessellation)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials

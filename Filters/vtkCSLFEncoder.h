@@ -194,8 +194,9 @@ public:
    * The field's geometry, which is optional, as on output port 1 of vtkCSLFSampler: triangles in
    * world coordinates, within the cube. It becomes a part of the file, with positions of 12 to 16
    * bits along each axis of its bounds (at least 64 steps in a texel's width, up to N = 1024), and
-   * its point data `Color` and `BackColor` if they have the same type. By default, it also tells
-   * depth (see DepthFromGeometry). In a pipeline, use SetInputConnection with port 1.
+   * its point data `Color` and `BackColor` if they have the same type, and `ExactColor`. By
+   * default, it also tells depth (see DepthFromGeometry). In a pipeline, use SetInputConnection
+   * with port 1.
    */
   void SetGeometryData(vtkPolyData* geometry);
   ///@}

@@ -420,6 +420,13 @@ protected:
   bool RenderRays(const cslf::CheckedPicture& whole, const std::vector<cslf::RayGrid>& rays,
     const cslf::ViewpointSamples& output, const char* name);
 
+  /**
+   * Prepares such rendering: fills the cache, if one is used. With `isAgain`, one that is there is
+   * used at once; otherwise ranks agree about it. Returns false if aborted.
+   */
+  bool PrepareRendering(
+    const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings);
+
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
   void operator=(const vtkCSLFPathTracer&) = delete;
@@ -431,8 +438,6 @@ private:
   void GatherScene(std::vector<vtkSmartPointer<vtkDataObject>>& parts, std::vector<int>& ranks,
     std::string& error);
   cslf::RenderSettings GetRenderSettings();
-  bool PrepareRendering(
-    const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings);
   bool RenderTexels(const cslf::PictureLayout& layout, const cslf::RenderSettings& settings,
     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
     const cslf::ViewpointSamples& output, const char* name);

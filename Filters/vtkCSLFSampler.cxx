@@ -7,6 +7,7 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/Geometry/cslfGeometryMaker.h"
 #include "PathTracing/RadianceCache/cslfCacheCheck.h"
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
@@ -16,6 +17,7 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
+#include "cslfColor.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
@@ -293,7 +295,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   const cslf::Phase phase(this, "");
   this->Geometry = nullptr;
   this->GeometryKey.clear();
-  const std::optional<cslf::Geometry> made = this->MakeSurface(scene, description);
+  const std::optional<cslf::Geometry> made = this->MakeSurface(scene, description, whole);
   cslf::SideColors colors;
   if (made && this->RenderSides(whole, *made, colors))
   {
@@ -301,6 +303,12 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
       cslf::MakeGeometryData(made->Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
         { scene.Frame.Radius * made->Error.RootMeanSquare, made->Error.Loss, scene.Fingerprint,
           shapes.Omitted > 0 });
+    if (shapes.Omitted > 0 || this->ColorType == VTK_FLOAT)
+    {
+      // Rays may pass veils before the surfaces, which only the viewpoints show. And the colours
+      // were fitted to be interpolated as sRGB, but floats are interpolated as they are.
+      colors.AreExact = {};
+    }
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())
@@ -313,24 +321,45 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
 }
 
 // The geometry without colours; nothing if aborted.
-std::optional<cslf::Geometry> vtkCSLFSampler::MakeSurface(
-  const cslf::BuiltScene& scene, const cslf::Description& description)
+std::optional<cslf::Geometry> vtkCSLFSampler::MakeSurface(const cslf::BuiltScene& scene,
+  const cslf::Description& description, const cslf::CheckedPicture& whole)
 {
+  const bool isFloat = this->ColorType == VTK_FLOAT;
+  cslf::RenderSettings rendering;
+  if (!this->PrepareRendering(whole, isFloat, true, rendering))
+  {
+    return std::nullopt;
+  }
+  cslf::GeometrySettings settings;
+  settings.Grid = description.Grid;
+  settings.Box = description.Box;
+  settings.Frame = scene.Frame;
+  settings.MaximumTriangles = static_cast<std::size_t>(this->GeometryTriangles);
+  settings.Light = rendering.Cache;
+  settings.Exposure = rendering.Exposure;
+  settings.ClampsColors = !isFloat;
+  // A root mean square is about half of the largest error.
+  settings.Tolerance = 0.5 * this->GetUsedCacheTolerance();
   cslf::Phase phase(this, "Making the geometry", MadeProgress);
-  return cslf::MakeGeometry(*scene.World,
-    { description.Grid, description.Box, scene.Frame,
-      static_cast<std::size_t>(this->GeometryTriangles) },
-    [&phase](double share) { return phase.Report(share); });
+  return cslf::MakeGeometry(
+    *scene.World, settings, [&phase](double share) { return phase.Report(share); });
 }
 
 // The colours of both sides of the geometry's points.
 bool vtkCSLFSampler::RenderSides(
   const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors)
 {
+  colors.AreExact = geometry.Colors.AreExact;
   for (std::size_t side = 0; side < colors.Sides.size(); ++side)
   {
     const auto& [points, rays] = geometry.Sides[side];
-    colors.Sides[side].resize(geometry.Surface.Points.size());
+    for (const glm::vec4& color : geometry.Colors.Sides[side])
+    {
+      colors.Sides[side].push_back(this->ColorType == VTK_FLOAT
+          ? glm::vec4(cslf::SRGBToLinear(glm::dvec3(color)), color.w)
+          : color);
+    }
+    colors.Sides[side].resize(geometry.Surface.Points.size(), glm::vec4(0.0f));
     if (points.empty())
     {
       continue;

@@ -25,8 +25,11 @@
  * surfaces as triangles in world coordinates. Spheres, tubes and instances are tessellated, parts
  * that no viewpoint sees are left out, and the rest is simplified to GeometryTriangles. Point
  * scalars are `Color`, of the same type as that of the field: the light that leaves the front along
- * the normal, for points that no viewpoint sees. `BackColor` is that of the back, where corners run
- * clockwise; there is none if nobody sees any back. Field data holds `GeometryError`, the root mean
+ * the normal. `BackColor` is that of the back, where corners run
+ * clockwise; there is none if nobody sees any back. Surfaces that look the same from all directions
+ * have as many triangles as their light needs, within the limit, so that it can be interpolated;
+ * where that shows them well, `ExactColor` is 1 (two components, of the front and the back), and
+ * mappers ask no viewpoint. Field data holds `GeometryError`, the root mean
  * square distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share
  * of them that is more than a texel away and does not count in the former. Above 0.2, the filter
  * warns, and mappers do not use it. Surfaces that are translucent, or visible from one side only,
@@ -214,8 +217,8 @@ private:
     vtkInformation* info, bool hasGeometry);
   void UpdateGeometry(const cslf::BuiltScene& scene, const cslf::Description& description,
     const cslf::CheckedPicture& whole);
-  std::optional<cslf::Geometry> MakeSurface(
-    const cslf::BuiltScene& scene, const cslf::Description& description);
+  std::optional<cslf::Geometry> MakeSurface(const cslf::BuiltScene& scene,
+    const cslf::Description& description, const cslf::CheckedPicture& whole);
   bool RenderSides(
     const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 

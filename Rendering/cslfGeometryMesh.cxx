@@ -30,6 +30,20 @@ std::vector<glm::vec4> GetColors(vtkDataArray* array)
   return colors;
 }
 
+/// Colours are associated with alpha, which is 1 for those that are exact, and half of that or less
+/// for others.
+void MarkExact(const PointColorArrays& arrays, bool isBack, std::vector<glm::vec4>& colors)
+{
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    if (colors[i].w > 0.0f)
+    {
+      colors[i] /= colors[i].w;
+      colors[i] *= arrays.IsExact(static_cast<vtkIdType>(i), isBack) ? 1.0f : 0.5f;
+    }
+  }
+}
+
 bool AreOpaque(const std::vector<glm::vec4>& colors)
 {
   return std::all_of(
@@ -59,6 +73,14 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   mesh->Colors = GetColors(colors.Front);
   mesh->Colors.resize(mesh->PointsCC.size(), glm::vec4(0.0f));
   mesh->BackColors = GetColors(colors.Back);
+  // Colours of another type have another encoding.
+  mesh->HasExactColors =
+    colors.Exact && colors.Front->GetDataType() == field.FindChannel(KnownChannel::Color)->Type;
+  if (mesh->HasExactColors)
+  {
+    MarkExact(colors, false, mesh->Colors);
+    MarkExact(colors, true, mesh->BackColors);
+  }
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = IsCompleteGeometry(geometry);
   mesh->Corners = ListCorners(triangles);

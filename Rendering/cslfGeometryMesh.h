@@ -26,15 +26,17 @@ namespace cslf
 struct GeometryMesh
 {
   std::vector<glm::vec3> PointsCC;
-  std::vector<glm::vec4> Colors;      ///< of the points; transparent where there is none
+  /// Of the points, transparent where there is none. If any is exact, alpha is 1 where it is.
+  std::vector<glm::vec4> Colors;
   std::vector<glm::vec4> BackColors;  ///< on the back; empty if they are the same
   std::vector<std::uint32_t> Corners; ///< three for each triangle
 
   /// The number of corners of closed parts, which come first, counterclockwise from outside.
   std::size_t ClosedCorners = 0;
 
-  /// Whether all points have a colour.
+  /// Whether all points have a colour, and whether any of these is exact.
   bool HasColors = false;
+  bool HasExactColors = false;
 
   /// Whether it has all surfaces: rays that miss it see none.
   bool IsComplete = false;
@@ -43,9 +45,9 @@ struct GeometryMesh
   std::shared_ptr<const SurfaceCells> Cells;
 };
 
-/// The polygons and strips of a field's geometry as triangles, with its point data `Color` and
-/// `BackColor`.
-/// Null if there are none, if it lost too much to be useful, or if it has a fault, which is told.
+/// The polygons and strips of a field's geometry as triangles, with its point data `Color`,
+/// `BackColor` and `ExactColor`. Null if there are none, if it lost too much to be useful, or if it
+/// has a fault, which is told.
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   vtkPolyData* geometry, const Description& field, std::string& fault);
 }

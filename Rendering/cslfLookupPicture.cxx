@@ -56,6 +56,7 @@ constexpr float RestMark = 0.5F;
 constexpr float SurfaceMark = -0.9F;
 constexpr float EmptyMark = -0.8F;
 constexpr float FrontMark = -0.8F;
+constexpr float ExactMark = -0.805F;
 constexpr float NearMark = -0.81F;
 constexpr float FarMark = -0.82F;
 constexpr float OtherMark = -0.83F;
@@ -382,6 +383,10 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
 void LookupPicture::DrawPoints(FieldTexture& field)
 {
   this->Window->GetState()->vtkglDepthFunc(GL_GREATER);
+  if (this->Current.Geometry->HasExactColors)
+  {
+    this->DrawFaces(field, *this->Tools->Exact, ExactMark, true);
+  }
   this->DrawFaces(field, *this->Tools->Near, NearMark);
   this->DrawFaces(field, *this->Tools->Far, FarMark);
   const auto& faces = this->Current.EntryFaces;

@@ -356,6 +356,7 @@ void LookupTools::Build(
     vtkShaderProgram::Substitute(
       point, "//CSLF::Lookup::Dec", functions + cslfNormalsGLSL + cslfSurfaceGLSL);
     this->OnSurface = build(point, "LookupOwn", "\n#define ONLY_MARK");
+    this->Exact = build(point, "LookupExact", "\n#define ANY_FACE");
     this->Near = build(point, "LookupNear");
     this->Far = build(point, "LookupFar");
     this->Other = build(point, "LookupFar", "\n#define OTHER_FACE");
@@ -391,8 +392,8 @@ void LookupTools::Build(
 void LookupTools::ReleasePrograms()
 {
   for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
-         &this->Mean, &this->OnSurface, &this->Front, &this->Close, &this->Around, &this->Near,
-         &this->Far, &this->Other, &this->Own })
+         &this->Mean, &this->OnSurface, &this->Front, &this->Close, &this->Around, &this->Exact,
+         &this->Near, &this->Far, &this->Other, &this->Own })
   {
     program->reset();
   }

@@ -139,6 +139,7 @@ struct LookupTools
   std::unique_ptr<vtkOpenGLQuadHelper> Around;    ///< what it lacks, by views farther around
   std::unique_ptr<vtkOpenGLQuadHelper> Front;     ///< what it lacks in front of it
   std::unique_ptr<vtkOpenGLQuadHelper> Close;     ///< the same, close to it
+  std::unique_ptr<vtkOpenGLQuadHelper> Exact;     ///< points of the geometry, by exact colours
   std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
   std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
   std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces

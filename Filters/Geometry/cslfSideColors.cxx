@@ -7,12 +7,17 @@
 #include "cslfChannel.h"
 
 #include <vtkDataArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <tuple>
 
 namespace cslf
 {
@@ -26,9 +31,31 @@ bool IsColored(const glm::vec4& color)
   return color.w > 0.0f && std::isfinite(color.x + color.y + color.z + color.w);
 }
 
-/// Points without colour take the mean of those next to them, step by step.
+/// Of each point the first one at its place: creases have several.
+std::vector<unsigned int> FindPlaces(const SurfaceMesh& mesh)
+{
+  std::vector<unsigned int> order(mesh.Points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+    [&](unsigned int a, unsigned int b)
+    {
+      const glm::vec3& one = mesh.Points[a];
+      const glm::vec3& other = mesh.Points[b];
+      return std::tie(one.x, one.y, one.z, a) < std::tie(other.x, other.y, other.z, b);
+    });
+  std::vector<unsigned int> places(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool isSame = i > 0 && mesh.Points[order[i]] == mesh.Points[order[i - 1]];
+    places[order[i]] = isSame ? places[order[i - 1]] : order[i];
+  }
+  return places;
+}
+
+/// Points without colour take the mean of those next to them, or at the same place, step by step.
 void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
 {
+  const std::vector<unsigned int> places = FindPlaces(mesh);
   std::vector<glm::vec4> sums;
   for (int step = 0; step < MaximumSteps; ++step)
   {
@@ -41,10 +68,10 @@ void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
         const glm::vec4& from = colors[corners[k]];
         for (const unsigned to : { corners[(k + 1) % 3], corners[(k + 2) % 3] })
         {
-          if (from.w > 0.0f && colors[to].w == 0.0f)
+          if (from.w > 0.0f)
           {
-            sums[to] += from / from.w;
-            isChanged = true;
+            sums[places[to]] += from / from.w;
+            isChanged = isChanged || colors[to].w == 0.0f;
           }
         }
       }
@@ -55,9 +82,10 @@ void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
     }
     for (std::size_t i = 0; i < colors.size(); ++i)
     {
-      if (sums[i].w > 0.0f)
+      const glm::vec4& sum = sums[places[i]];
+      if (colors[i].w == 0.0f && sum.w > 0.0f)
       {
-        colors[i] = sums[i] / sums[i].w;
+        colors[i] = sum / sum.w;
       }
     }
   }
@@ -108,6 +136,24 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
   if (isColored[1])
   {
     geometry->GetPointData()->AddArray(MakeColors(BackColorName, backs, type));
+  }
+  const auto& exact = colors.AreExact;
+  if (std::any_of(exact.begin(), exact.end(),
+        [](const std::vector<char>& side)
+        { return std::any_of(side.begin(), side.end(), [](char is) { return is != 0; }); }))
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(ExactColorName);
+    array->SetNumberOfComponents(2);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Points.size()));
+    for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+    {
+      for (const int side : { 0, 1 })
+      {
+        array->SetTypedComponent(static_cast<vtkIdType>(i), side, exact[side][i] ? 1 : 0);
+      }
+    }
+    geometry->GetPointData()->AddArray(array);
   }
 }
 }

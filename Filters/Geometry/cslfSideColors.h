@@ -26,11 +26,16 @@ struct SideColors
 {
   /// On the front, where corners run counterclockwise, and on the back.
   std::array<std::vector<glm::vec4>, 2> Sides;
+
+  /// Whether a point's colour alone shows the surface around it well, from all directions. Empty if
+  /// none does.
+  std::array<std::vector<char>, 2> AreExact;
 };
 
-/// Gives the points their colours, as point data `Color` and `BackColor` of that type. The latter
-/// is left out if nothing has a colour on the back. Points without colour on a side have that of
-/// points next to them or, if no point around them has one, that of the other side or gray.
+/// Gives the points their colours, as point data `Color` and `BackColor` of that type, and
+/// `ExactColor` if any is exact. The second is left out if nothing has a colour on the back. Points
+/// without colour on a side have that of points next to them or, if no point around them has one,
+/// that of the other side or gray.
 VTKCSLF_EXPORT void AddSideColors(
   const SurfaceMesh& mesh, SideColors colors, int type, vtkPolyData* geometry);
 }

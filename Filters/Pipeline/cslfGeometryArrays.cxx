@@ -33,17 +33,22 @@ std::optional<double> GetNumber(vtkPolyData* geometry, const char* name)
 
 PointColorArrays FindPointColors(vtkPolyData* geometry)
 {
-  const auto find = [geometry](const char* name) -> vtkDataArray*
+  const auto find = [geometry](const char* name, int components) -> vtkDataArray*
   {
     vtkDataArray* array = geometry->GetPointData()->GetArray(name);
-    const bool fits = array && array->GetNumberOfComponents() == 4 &&
+    const bool fits = array && array->GetNumberOfComponents() == components &&
       array->GetNumberOfTuples() == geometry->GetNumberOfPoints();
     return fits ? array : nullptr;
   };
-  vtkDataArray* front = find(ColorName);
-  vtkDataArray* back = front ? find(BackColorName) : nullptr;
+  vtkDataArray* front = find(ColorName, 4);
+  vtkDataArray* back = front ? find(BackColorName, 4) : nullptr;
   const bool areAlike = back && back->GetDataType() == front->GetDataType();
-  return { front, areAlike ? back : nullptr };
+  return { front, areAlike ? back : nullptr, front ? find(ExactColorName, 2) : nullptr };
+}
+
+bool PointColorArrays::IsExact(vtkIdType point, bool isBack) const
+{
+  return this->Exact && this->Exact->GetComponent(point, isBack && this->Back ? 1 : 0) > 0.0;
 }
 
 std::optional<double> GetGeometryError(vtkPolyData* geometry)

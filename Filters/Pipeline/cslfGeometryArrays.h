@@ -25,6 +25,11 @@ namespace cslf
 /// of the other side, and of both if there is no such array.
 constexpr const char* BackColorName = "BackColor";
 
+/// Point data, two unsigned characters: 1 where the colour of the front, and that of the back,
+/// alone shows the surface around the point well, from all directions, so that no viewpoint is
+/// asked.
+constexpr const char* ExactColorName = "ExactColor";
+
 /// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
 /// from the geometry, without those that it lost.
 constexpr const char* GeometryErrorName = "GeometryError";
@@ -54,10 +59,14 @@ struct PointColorArrays
 {
   vtkDataArray* Front = nullptr;
   vtkDataArray* Back = nullptr;
+  vtkDataArray* Exact = nullptr;
+
+  /// Whether the colour on a side is exact.
+  bool VTKCSLF_EXPORT IsExact(vtkIdType point, bool isBack) const;
 };
 
-/// The point data `Color` and `BackColor`, if each point has four components. The latter counts
-/// only if it has the type of the former.
+/// The point data `Color` and `BackColor`, if each point has four components, and `ExactColor`. The
+/// second counts only if it has the type of the first, the third only beside the first.
 PointColorArrays VTKCSLF_EXPORT FindPointColors(vtkPolyData* geometry);
 
 ///@{

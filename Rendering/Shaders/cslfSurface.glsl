@@ -237,6 +237,13 @@ vec4 LookupFar(GeometryPoint surface)
   return ToMean(sum);
 }
 
+// The geometry's own colour, where it alone shows the surface well.
+vec4 LookupExact(GeometryPoint surface)
+{
+  vec4 color = texelFetch(SurfaceColors, PictureTexel(), 0);
+  return color.a > 0.99 ? color / color.a : vec4(0.0);
+}
+
 // The geometry's own colour.
 vec4 LookupOwn(GeometryPoint surface)
 {

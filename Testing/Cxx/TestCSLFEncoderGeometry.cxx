@@ -92,9 +92,26 @@ vtkSmartPointer<vtkPolyData> MakeGeometry(int colorType)
   return geometry;
 }
 
-void TestCodec(int colorType, int resolution)
+/// Marks the colours of the upper half's front as exact.
+void AddExact(vtkPolyData* geometry)
+{
+  vtkNew<vtkUnsignedCharArray> exact;
+  exact->SetName(cslf::ExactColorName);
+  exact->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    exact->InsertNextTuple2(geometry->GetPoint(i)[1] > Box.Center.y ? 1.0 : 0.0, 0.0);
+  }
+  geometry->GetPointData()->AddArray(exact);
+}
+
+void TestCodec(int colorType, int resolution, bool isExact = false)
 {
   const auto geometry = MakeGeometry(colorType);
+  if (isExact)
+  {
+    AddExact(geometry);
+  }
   std::string error;
   const auto bytes = cslf::EncodeGeometry(geometry, Box, resolution, error);
   CSLF_CHECK(error.empty());
@@ -129,6 +146,13 @@ void TestCodec(int colorType, int resolution)
     {
       most = std::max(most, std::abs(point[axis] - expected[axis]) / Box.Edges[axis]);
     }
+    vtkDataArray* exact = decoded->GetPointData()->GetArray(cslf::ExactColorName);
+    CSLF_CHECK((exact != nullptr) == isExact);
+    for (int side = 0; exact && side < 2; ++side)
+    {
+      CSLF_CHECK(exact->GetComponent(i, side) ==
+        geometry->GetPointData()->GetArray(cslf::ExactColorName)->GetComponent(same, side));
+    }
     for (const char* name : { "Color", "BackColor" })
     {
       const double before = geometry->GetPointData()->GetArray(name)->GetComponent(same, 0);
@@ -138,7 +162,7 @@ void TestCodec(int colorType, int resolution)
   }
   // A step is a 64th of a texel, or the cube's edge divided by 65535.
   CSLF_CHECK(most <= 0.5001 / (64.0 * std::min(resolution, Fine) - 1.0));
-  CSLF_CHECK(mostColor < (colorType == VTK_FLOAT ? 0.005 : 2.6));
+  CSLF_CHECK(mostColor < (colorType == VTK_FLOAT ? 0.005 : isExact ? 0.6 : 2.6));
   // Triangles keep their sides.
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(decoded);
@@ -221,6 +245,8 @@ void TestDamage()
       "\"back_color_bytes\":-1}",
       "{\"points\":3,\"triangles\":1,\"position_bits\":40,\"corner_bytes\":9,\"position_bytes\":9,"
       "\"color_bytes\":0}",
+      "{\"points\":3,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_bytes\":9,"
+      "\"colors\":\"srgb8\"}",
       "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
   {
     const std::string header(text);
@@ -288,6 +314,7 @@ void TestFile(const std::string& fileName)
 int TestCSLFEncoderGeometry(int argc, char* argv[])
 {
   TestCodec(VTK_UNSIGNED_CHAR, 2 * Fine);
+  TestCodec(VTK_UNSIGNED_CHAR, 2 * Fine, true);
   TestCodec(VTK_UNSIGNED_CHAR, 128);
   TestCodec(VTK_FLOAT, Fine);
   TestOneColor(VTK_UNSIGNED_CHAR);

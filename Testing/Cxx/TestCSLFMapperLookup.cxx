@@ -190,6 +190,10 @@ struct Fixture
     {
       return colors.Blend(before);
     }
+    if (hit->IsExact)
+    {
+      return hit->Color;
+    }
     const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, hit->Point, this->SeenFaces));
     if (isOpaque && color.w <= 0.0 && (before = lookup.CloseInFront(ray, hit->Point)).IsFinal)
     {

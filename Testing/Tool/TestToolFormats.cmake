@@ -19,7 +19,8 @@ expect_json(ON channels Coverage equal)
 expect_json(ON channels Depth equal)
 cslf_run(compare box.mp4 box.vti --json)
 expect_json_at_least(25 channels Color psnr)
-expect_json_at_least(25 channels Depth psnr)
+# Here, the centres of some texels lie on edges of the blocks, so that either surface is right.
+expect_json_at_least(22 channels Depth psnr)
 
 # A larger field is written in several pieces.
 set(large cornell-box -M 3 -N 128 --spp 1 --max-depth 1 --integrator path --geometry-triangles 0)

@@ -52,8 +52,12 @@ constexpr int MinimumPositionBits = 12;
 /// resolution, unless that needs more bits than there are.
 constexpr int StepsOfTexel = 64;
 
-/// Colours of bytes have this many steps: they are for what no viewpoint sees.
+/// Colours of bytes have this many steps: fewer if they are only for what no viewpoint sees.
+constexpr double ExactSteps = 255.0;
 constexpr double ColorSteps = 63.0;
+
+/// The flags of exact colours, with padding.
+constexpr std::size_t FlagsSize = 4;
 
 /// Three coordinates and padding.
 constexpr std::size_t PositionSize = 8;
@@ -62,6 +66,7 @@ constexpr std::size_t PositionSize = 8;
 constexpr std::size_t MaximumItems = std::size_t(1) << 25;
 
 constexpr const char* ByteColors = "srgb6";
+constexpr const char* ExactByteColors = "srgb8";
 constexpr const char* HalfColors = "linear16f";
 
 /// What is subtracted from colours, so that they take fewer bytes: from red and blue their green,
@@ -86,8 +91,10 @@ struct Streams
   std::vector<unsigned char> Positions;
   std::vector<unsigned char> Colors;     ///< none if the geometry has none
   std::vector<unsigned char> BackColors; ///< none without others
+  std::vector<unsigned char> Flags;      ///< none if no colour is exact
   bool AreHalves = false;
 
+  double GetColorSteps() const { return this->Flags.empty() ? ColorSteps : ExactSteps; }
   std::size_t GetColorSize() const { return 4 * GetCodeSize(this->AreHalves); }
   double GetPositionSteps() const { return (1 << this->PositionBits) - 1; }
 };
@@ -162,7 +169,7 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
 }
 
 /// The codes of the colours in an array. None without one.
-std::vector<unsigned char> ListCodes(vtkDataArray* colors, bool areHalves)
+std::vector<unsigned char> ListCodes(vtkDataArray* colors, bool areHalves, double steps)
 {
   const std::size_t size = GetCodeSize(areHalves);
   const vtkIdType points = colors ? colors->GetNumberOfTuples() : 0;
@@ -179,7 +186,7 @@ std::vector<unsigned char> ListCodes(vtkDataArray* colors, bool areHalves)
       }
       else
       {
-        *place = static_cast<unsigned char>(std::lround(value * ColorSteps / 255.0));
+        *place = static_cast<unsigned char>(std::lround(value * steps / 255.0));
       }
     }
   }
@@ -226,8 +233,13 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
 {
   const PointColorArrays colors = FindPointColors(triangles);
   streams.AreHalves = colors.Front && colors.Front->GetDataType() != VTK_UNSIGNED_CHAR;
-  streams.Colors = ListCodes(colors.Front, streams.AreHalves);
-  streams.BackColors = ListCodes(colors.Back, streams.AreHalves);
+  for (std::size_t i = 0; colors.Exact && i < FlagsSize * streams.Points; ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i / FlagsSize);
+    streams.Flags.push_back(i % FlagsSize < 2 && colors.IsExact(point, i % FlagsSize == 1) ? 1 : 0);
+  }
+  streams.Colors = ListCodes(colors.Front, streams.AreHalves, streams.GetColorSteps());
+  streams.BackColors = ListCodes(colors.Back, streams.AreHalves, streams.GetColorSteps());
 }
 
 /// The codecs need triangles and points in an order of use. Drops unused points.
@@ -252,6 +264,7 @@ void Sort(Streams& streams)
   move(streams.Positions, PositionSize);
   move(streams.Colors, streams.GetColorSize());
   move(streams.BackColors, streams.GetColorSize());
+  move(streams.Flags, FlagsSize);
   streams.Points = used;
 }
 
@@ -330,7 +343,9 @@ JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
         streams.High.z } } };
   if (!streams.Colors.empty())
   {
-    header["colors"] = streams.AreHalves ? HalfColors : ByteColors;
+    header["colors"] = streams.AreHalves ? HalfColors
+      : streams.Flags.empty()            ? ByteColors
+                                         : ExactByteColors;
   }
   const double error = GetNumber(geometry, GeometryErrorName);
   const double loss = GetNumber(geometry, GeometryLossName);
@@ -392,7 +407,7 @@ std::vector<unsigned char> Uncompress(const unsigned char* bytes, std::size_t si
 }
 
 vtkSmartPointer<vtkDataArray> DecodeColors(
-  const char* name, const std::vector<unsigned char>& codes, bool areHalves)
+  const char* name, const std::vector<unsigned char>& codes, bool areHalves, double steps)
 {
   const std::size_t size = GetCodeSize(areHalves);
   auto colors =
@@ -405,7 +420,7 @@ vtkSmartPointer<vtkDataArray> DecodeColors(
     const unsigned char* place = &codes[size * value];
     colors->SetComponent(static_cast<vtkIdType>(value / 4), static_cast<int>(value % 4),
       areHalves ? glm::unpackHalf1x16(Load<std::uint16_t>(place))
-                : std::round(std::min<double>(*place, ColorSteps) * 255.0 / ColorSteps));
+                : std::round(std::min<double>(*place, steps) * 255.0 / steps));
   }
   return colors;
 }
@@ -440,12 +455,24 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
   if (!streams.Colors.empty())
   {
     geometry->GetPointData()->SetScalars(
-      DecodeColors(ColorName, streams.Colors, streams.AreHalves));
+      DecodeColors(ColorName, streams.Colors, streams.AreHalves, streams.GetColorSteps()));
   }
   if (!streams.BackColors.empty())
   {
     geometry->GetPointData()->AddArray(
-      DecodeColors(BackColorName, streams.BackColors, streams.AreHalves));
+      DecodeColors(BackColorName, streams.BackColors, streams.AreHalves, streams.GetColorSteps()));
+  }
+  if (!streams.Flags.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> exact;
+    exact->SetName(ExactColorName);
+    exact->SetNumberOfComponents(2);
+    for (std::size_t point = 0; point < streams.Points; ++point)
+    {
+      exact->InsertNextTuple2(
+        streams.Flags[FlagsSize * point] & 1, streams.Flags[FlagsSize * point + 1] & 1);
+    }
+    geometry->GetPointData()->AddArray(exact);
   }
   AddNumber(header, "error", GeometryErrorName, geometry);
   AddNumber(header, "loss", GeometryLossName, geometry);
@@ -471,9 +498,10 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const JSON header = ParseJSON(std::string(begin, end));
   const std::size_t points = GetCount(header, "points");
   const std::size_t triangles = GetCount(header, "triangles");
-  const std::array<std::size_t, 4> sizes = { GetCount(header, "corner_bytes"),
+  const std::array<std::size_t, 5> sizes = { GetCount(header, "corner_bytes"),
     GetCount(header, "position_bytes"), GetCount(header, "color_bytes"),
-    header.contains("back_color_bytes") ? GetCount(header, "back_color_bytes") : 0 };
+    header.contains("back_color_bytes") ? GetCount(header, "back_color_bytes") : 0,
+    header.contains("exact_bytes") ? GetCount(header, "exact_bytes") : 0 };
   const std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
   const std::size_t rest = bytes.size() - head - textSize;
   // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 64
@@ -520,7 +548,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   if (header.contains("colors"))
   {
     const auto kind = header.at("colors").get<std::string>();
-    Require(kind == ByteColors || kind == HalfColors);
+    Require(kind == HalfColors || kind == (sizes[4] > 0 ? ExactByteColors : ByteColors));
     streams.AreHalves = kind == HalfColors;
     const std::set<std::string> subtracted =
       header.value("subtracted", std::set<std::string>{ Front });
@@ -546,6 +574,13 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
       {
         Combine(streams.BackColors, streams.Colors, streams.AreHalves, 1);
       }
+    }
+    if (sizes[4] > 0)
+    {
+      Require(canHold(sizes[4], FlagsSize));
+      streams.Flags.resize(FlagsSize * streams.Points);
+      Require(meshopt_decodeVertexBuffer(
+                streams.Flags.data(), streams.Points, FlagsSize, place, sizes[4]) == 0);
     }
   }
   return ToPolyData(streams, header, box);
@@ -573,9 +608,10 @@ std::vector<unsigned char> EncodeGeometry(
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
     Sort(streams);
-    std::array<std::vector<unsigned char>, 4> parts = { CodeCorners(streams),
+    std::array<std::vector<unsigned char>, 5> parts = { CodeCorners(streams),
       CodeVertices(streams.Positions, streams.Points, PositionSize),
-      CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors) };
+      CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors),
+      CodeVertices(streams.Flags, streams.Points, FlagsSize) };
     std::vector<unsigned char> differences = CodeColorDifferences(streams);
     JSON subtracted = { Green };
     if (differences.size() < parts[3].size())
@@ -594,6 +630,10 @@ std::vector<unsigned char> EncodeGeometry(
     if (!parts[3].empty())
     {
       header["back_color_bytes"] = parts[3].size();
+    }
+    if (!parts[4].empty())
+    {
+      header["exact_bytes"] = parts[4].size();
     }
     std::vector<unsigned char> all;
     for (const std::vector<unsigned char>& part : parts)

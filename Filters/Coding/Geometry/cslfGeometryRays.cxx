@@ -63,10 +63,14 @@ std::optional<GeometryRays::Hit> GeometryRays::Intersect(const RayCoordinates& r
   vtkDataArray* colors = !isFront && this->Colors.Back ? this->Colors.Back : this->Colors.Front;
   hit.Color = glm::dvec4(0.0);
   const double weights[3] = { 1.0 - parametric[0] - parametric[1], parametric[0], parametric[1] };
+  hit.IsExact = true;
   for (int corner = 0; colors && corner < 3; ++corner)
   {
+    hit.IsExact = hit.IsExact && this->Colors.IsExact(cell->GetPointId(corner), !isFront);
     hit.Color += weights[corner] * glm::dvec4(GetColor(colors, cell->GetPointId(corner)));
   }
+  hit.IsExact = hit.IsExact && hit.Color.w > 0.0;
+  hit.Color /= hit.IsExact ? hit.Color.w : 1.0;
   return hit;
 }
 }

@@ -31,9 +31,10 @@ public:
   {
     GeometryPoint Point;
     glm::dvec4 Color; ///< the geometry's own, on the side of the ray; alpha is 0 without one
+    bool IsExact = false; ///< whether it is the colour from all directions
   };
 
-  /// Polygons in world coordinates, with point data `Color` and `BackColor`.
+  /// Polygons in world coordinates, with point data `Color`, `BackColor` and `ExactColor`.
   GeometryRays(vtkPolyData* geometry, const Description& field);
 
   /// Whether it has all surfaces: rays that miss it see none.

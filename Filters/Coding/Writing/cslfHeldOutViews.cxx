@@ -176,6 +176,10 @@ public:
     {
       return this->Colors.Blend(before);
     }
+    if (hit->IsExact)
+    {
+      return hit->Color;
+    }
     const glm::dvec4 seen = this->Colors.Blend(this->Views.OnSurface(ray, hit->Point, 0));
     if (seen.w > 0.0)
     {

@@ -6,10 +6,7 @@
 #include "Geometry/cslfReduction.h"
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfSurfaceMesh.h"
-#include "Geometry/cslfViewpointChoice.h"
-#include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Rays/cslfRayGrid.h"
-#include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
@@ -135,29 +132,21 @@ constexpr double CellTexels = 1.0;
 /// may see them.
 constexpr int WideCells = 4;
 
-/// The most viewpoints along a side of a face, and texels along a side of their pictures, that
-/// decide what is seen.
-constexpr int ViewpointLimit = 9;
+/// The viewpoints along a side of a face, and the most texels along a side of their pictures, that
+/// decide what is seen. The field's own may be fewer, but its colours show what they miss.
+constexpr int LookingViewpoints = 9;
 constexpr int ResolutionLimit = 128;
 
-/// The number of directions that decide whether a point can be seen on a side.
-constexpr int Directions = 64;
-
-/// How far in front of a point rays start to find its colour, in texels at the cube's centre.
-constexpr double StartTexels = 0.5;
-
-/// How far they may go, in multiples of that: simplified surfaces lie elsewhere.
-constexpr float MaximumReach = 4.0f;
-
 /// The longest edge of a triangle, in texels at the cube's centre, unless there are too many
-/// triangles. What no viewpoint near a ray sees is shown in the colours of the points, between
-/// which shadows would be lost.
+/// triangles: so colours that are not fitted are near each other, and those that are have enough
+/// samples.
 constexpr double LongestTexels = 32.0;
 
 ///@{
-/// The progress of the geometry when its surface is found, and when that is in order.
-constexpr double SurfaceShare = 0.7;
-constexpr double SortedShare = 0.8;
+/// The progress of the geometry when its surface is found, in order, and lit.
+constexpr double SurfaceShare = 0.5;
+constexpr double SortedShare = 0.55;
+constexpr double LitShare = 0.9;
 ///@}
 
 ///@{
@@ -210,109 +199,20 @@ std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t coun
   return points;
 }
 
-/// What a ray meets.
-enum class Met
-{
-  Nothing,
-  Front,
-  Back
-};
-
-/// What a ray that aims at a surface meets near it. Nobody sees the back of spheres and tubes,
-/// which are closed.
-Met FindMet(const Scene& scene, const Ray& ray, float reach)
-{
-  const Hit hit = scene.Intersect(ray);
-  if (!hit.IsValid() || hit.Distance > reach)
-  {
-    return Met::Nothing;
-  }
-  if (!scene.GetSurface(ray, hit).Inside)
-  {
-    return Met::Front;
-  }
-  return scene.GetMeshes()[hit.Mesh].Shape == Mesh::Shapes::Triangles ? Met::Back : Met::Nothing;
-}
-
-/// Whether one of several rays from a point in front of a surface, around its normal, meets
-/// nothing.
-bool IsSeen(const Scene& scene, const glm::vec3& point, const glm::vec3& normal)
-{
-  const Frame frame(normal);
-  for (int i = 0; i < Directions; ++i)
-  {
-    const glm::vec3 direction = frame.ToWorld(SampleCosineHemisphere(
-      { static_cast<float>(RobertsNumber(i, 0)), static_cast<float>(RobertsNumber(i, 1)) }));
-    if (!scene.Intersect({ point, direction }).IsValid())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Finds the sides of points that can be seen, and rays that start at that distance in front of
-/// them. Where bodies are thin, rays to the back meet the opposite wall, from its front.
-void FindSides(const Scene& scene, float distance, const Progress& progress, Geometry& geometry)
-{
-  const std::vector<glm::vec3>& points = geometry.Surface.Points;
-  const std::vector<glm::vec3> normals = FindNormals(geometry.Surface);
-  std::vector<std::array<char, 2>> seen(points.size());
-  const auto aim = [&](std::size_t point, std::size_t side)
-  {
-    const glm::vec3 normal = side == 0 ? normals[point] : -normals[point];
-    return Ray{ points[point] + distance * normal, -normal };
-  };
-  ParallelFor(0, static_cast<vtkIdType>(points.size()), OrAbort(progress),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Ray rays[2] = { aim(i, 0), aim(i, 1) };
-        const Met met[2] = { FindMet(scene, rays[0], MaximumReach * distance),
-          FindMet(scene, rays[1], MaximumReach * distance) };
-        // Otherwise the corners of the scene's polygons are in no consistent order.
-        const bool isOrdered = met[0] == Met::Front || met[1] == Met::Back;
-        for (const int side : { 0, 1 })
-        {
-          const bool isMet = met[side] == (side == 0 ? Met::Front : Met::Back) ||
-            (!isOrdered && met[side] != Met::Nothing);
-          seen[i][side] = isMet && IsSeen(scene, rays[side].Origin, -rays[side].Direction) ? 1 : 0;
-        }
-      }
-    });
-  for (std::size_t side = 0; side < geometry.Sides.size(); ++side)
-  {
-    auto& [sidePoints, rays] = geometry.Sides[side];
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      if (seen[i][side] != 0)
-      {
-        const Ray ray = aim(i, side);
-        sidePoints.push_back(i);
-        rays.emplace_back();
-        rays.back().Origin = ray.Origin;
-        rays.back().Direction = ray.Direction;
-      }
-    }
-  }
-}
-
 /// Knows what the viewpoints see of a scene.
-SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
-  const std::vector<int>& slices, double texel, const Progress& progress)
+SeenPlaces LookAround(
+  const Scene& scene, const GeometrySettings& settings, double texel, const Progress& progress)
 {
   const Layout pictures(
-    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), ResolutionLimit));
+    LookingViewpoints, std::min(settings.Grid.GetResolution(), ResolutionLimit));
   const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
   SeenPlaces seen(scene, static_cast<float>(cell));
   const auto makeRays = [&](int tile)
   {
     return MakeFieldRays(
-      pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
+      pictures, settings.Box, settings.Frame, tile / TileCount, tile % TileCount);
   };
-  seen.Look(
-    TileCount * static_cast<int>(slices.size()), pictures.GetResolution(), makeRays, progress);
+  seen.Look(TileCount * pictures.GetSlices(), pictures.GetResolution(), makeRays, progress);
   return seen;
 }
 
@@ -360,16 +260,15 @@ bool CanBeCoarser(const std::vector<Mesh>& meshes)
 
 /// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
 /// than a further reduction of fine ones.
-Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
-  const std::vector<int>& slices, double texel, const Progress& progress)
+Geometry FindSurface(
+  const Scene& scene, const GeometrySettings& settings, double texel, const Progress& progress)
 {
   const std::vector<Mesh>& meshes = scene.GetMeshes();
   const glm::dvec3& edges = settings.Box.Edges;
   const glm::vec3 stretch(std::max({ edges.x, edges.y, edges.z }) / edges);
   const float tolerance =
     static_cast<float>(MaximumTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
-  const SeenPlaces seen =
-    LookAround(scene, settings, slices, texel, Within(progress, 0.0, LookShare));
+  const SeenPlaces seen = LookAround(scene, settings, texel, Within(progress, 0.0, LookShare));
   const SeenPlaces nearlySeen = seen.Widen(WideCells);
   int coarseness = 0;
   while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MaximumTessellated)
@@ -417,6 +316,7 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
     {
       best.Surface = std::move(surface);
       best.Error = error;
+      best.IsReduced = !isEnough || round > 0;
     }
   }
   return best;
@@ -462,9 +362,7 @@ try
   const glm::dvec3& edges = settings.Box.Edges;
   const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
     (settings.Frame.Radius * settings.Grid.GetResolution());
-  const std::vector<int> slices = ChooseSlices(settings.Grid, ViewpointLimit);
-  Geometry geometry =
-    FindSurface(scene, settings, slices, texel, Within(progress, 0.0, SurfaceShare));
+  Geometry geometry = FindSurface(scene, settings, texel, Within(progress, 0.0, SurfaceShare));
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();
   for (glm::vec3& point : geometry.Surface.Points)
@@ -475,10 +373,15 @@ try
     [longest = LongestTexels * texel, most = settings.MaximumTriangles](SurfaceMesh& changed)
     {
       Subdivide(changed, longest, most);
+      Weld(changed);
       SortForDrawing(changed);
     });
-  FindSides(
-    scene, static_cast<float>(StartTexels * texel), Within(progress, SortedShare, 1.0), geometry);
+  geometry.Colors = FitLight(scene, settings.Light,
+    { static_cast<float>(texel), settings.Exposure, settings.ClampsColors, !geometry.IsReduced,
+      settings.Tolerance, settings.MaximumTriangles },
+    Within(progress, SortedShare, LitShare), geometry.Surface);
+  FindSides(scene, static_cast<float>(texel), geometry.Surface, Within(progress, LitShare, 1.0),
+    geometry.Colors, geometry.Sides);
   return geometry;
 }
 catch (const Aborted&)

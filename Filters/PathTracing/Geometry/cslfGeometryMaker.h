@@ -11,13 +11,12 @@
 
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfSurfaceMesh.h"
-#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
+#include "cslfSurfaceLight.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,6 +30,13 @@ struct GeometrySettings
   Cube Box;
   SceneFrame Frame;
   std::size_t MaximumTriangles = 0;
+
+  /// Of surfaces that look the same from all directions: colours and triangles follow it. Null for
+  /// none: then they follow only surfaces without lighting.
+  const StoredLight* Light = nullptr;
+  double Exposure = 1.0;
+  bool ClampsColors = true; ///< whether colours end at white
+  double Tolerance = 0.0;   ///< of sRGB-encoded colours: see SurfaceLightSettings
 };
 
 struct Geometry
@@ -40,14 +46,13 @@ struct Geometry
   /// Of the scene's visible surface, in scene space. What is more than a texel away is lost.
   SurfaceError Error;
 
-  /// What can be seen on the front, where corners run counterclockwise, and on the back: points,
-  /// and rays that meet them. All rays of a grid are alike.
-  struct Side
-  {
-    std::vector<std::size_t> Points;
-    std::vector<RayGrid> Rays;
-  };
-  std::array<Side, 2> Sides;
+  /// Whether it would have more triangles if it might: then its creases are not the scene's.
+  bool IsReduced = false;
+
+  /// Those that are known, sRGB-encoded. Empty if none is.
+  SideColors Colors;
+
+  SurfaceSides Sides; ///< where others can be seen
 };
 
 /// Says in a few words why a scene cannot have a geometry: none of its surfaces is opaque, or there

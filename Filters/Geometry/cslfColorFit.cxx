@@ -1,0 +1,503 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfColorFit.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// The cosine of the largest angle between triangles that share the colour of a corner.
+constexpr float CreaseCosine = 0.77f;
+
+/// At an edge where many triangles meet, each is compared with fewer than this many others.
+constexpr std::size_t MaximumMeetings = 8;
+
+/// How little colours of corners at one place differ to become one.
+constexpr float MaximumDifference = 2.0f / 255.0f;
+
+/// The RMS error of the triangles around a point whose colour shows the surface well, in
+/// tolerances.
+constexpr double ExactTolerances = 3.0;
+
+/// Differences of the corners of a triangle weigh this much beside its samples.
+constexpr float Smoothness = 1e-3f;
+
+/// The solver's limits.
+constexpr int MaximumIterations = 60;
+constexpr double SolvedShare = 1e-8;
+
+std::uint64_t EdgeOf(unsigned int a, unsigned int b)
+{
+  return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
+}
+
+ColorFit::ColorFit(SurfaceMesh& mesh, const ColorFitSettings& settings)
+  : Settings(settings)
+  , Surface(mesh)
+  , Samples(mesh.Triangles.size())
+  , AreNew(mesh.Triangles.size(), 1)
+{
+}
+
+std::vector<std::size_t> ColorFit::ListNew() const
+{
+  std::vector<std::size_t> triangles;
+  for (std::size_t i = 0; i < this->AreNew.size(); ++i)
+  {
+    if (this->AreNew[i] != 0)
+    {
+      triangles.push_back(i);
+    }
+  }
+  return triangles;
+}
+
+// Triangles that meet at an edge share its colours unless there is a crease or another body.
+void ColorFit::JoinCorners()
+{
+  const std::vector<glm::uvec3>& triangles = this->Surface.Triangles;
+  struct Use
+  {
+    std::uint64_t Edge;
+    unsigned int Triangle;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * triangles.size());
+  for (unsigned int i = 0; i < triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      uses.push_back({ EdgeOf(triangles[i][k], triangles[i][(k + 1) % 3]), i });
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+    [](const Use& a, const Use& b)
+    { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Triangle < b.Triangle; });
+  std::vector<unsigned int> next(uses.size());
+  std::iota(next.begin(), next.end(), 0U);
+  const auto find = [&](unsigned int corner)
+  {
+    for (; next[corner] != corner; corner = next[corner])
+    {
+      next[corner] = next[next[corner]];
+    }
+    return corner;
+  };
+  const auto cornerAt = [&](const Use& use, unsigned int point)
+  {
+    const glm::uvec3& corners = triangles[use.Triangle];
+    return 3 * use.Triangle + (corners.x == point ? 0 : corners.y == point ? 1 : 2);
+  };
+  for (std::size_t first = 0; first < uses.size(); ++first)
+  {
+    const std::size_t end = std::min(first + MaximumMeetings, uses.size());
+    for (std::size_t i = first + 1; i < end && uses[i].Edge == uses[first].Edge; ++i)
+    {
+      const TriangleSamples& one = this->Samples[uses[first].Triangle];
+      const TriangleSamples& other = this->Samples[uses[i].Triangle];
+      // Those without area or samples join nothing, lest they join what does not belong together.
+      const bool isFlat = !this->Settings.HasCreases || (one.IsRound && other.IsRound) ||
+        glm::dot(one.Normal, other.Normal) > CreaseCosine;
+      if (isFlat && one.Body == other.Body && one.Area > 0.0f && other.Area > 0.0f)
+      {
+        for (const auto point : { static_cast<unsigned int>(uses[i].Edge),
+               static_cast<unsigned int>(uses[i].Edge >> 32) })
+        {
+          const unsigned int from = find(cornerAt(uses[i], point));
+          const unsigned int to = find(cornerAt(uses[first], point));
+          next[std::max(from, to)] = std::min(from, to);
+        }
+      }
+    }
+  }
+  this->Values.resize(triangles.size());
+  this->Places.clear();
+  std::vector<unsigned int> numbers(uses.size());
+  for (unsigned int corner = 0; corner < next.size(); ++corner)
+  {
+    const unsigned int root = find(corner);
+    if (root == corner)
+    {
+      numbers[corner] = static_cast<unsigned int>(this->Places.size());
+      this->Places.push_back(triangles[corner / 3][static_cast<int>(corner % 3)]);
+    }
+    this->Values[corner / 3][static_cast<int>(corner % 3)] = numbers[root];
+  }
+}
+
+// The matrix of least squares times a vector.
+void ColorFit::Apply(
+  int side, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const
+{
+  std::fill(results.begin(), results.end(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    const glm::uvec3& corners = this->Values[i];
+    const glm::vec3 own[3] = { values[corners.x], values[corners.y], values[corners.z] };
+    glm::vec3 products[3];
+    this->Samples[i].Sides[side].Multiply(own, products);
+    const float smoothness = Smoothness * this->Samples[i].Area;
+    const glm::vec3 sum = own[0] + own[1] + own[2];
+    for (int k = 0; k < 3; ++k)
+    {
+      results[corners[k]] += products[k] + smoothness * (3.0f * own[k] - sum);
+    }
+  }
+}
+
+// The method of conjugate gradients, preconditioned by the matrix's diagonal.
+void ColorFit::SolveSide(int side, const std::function<void(double)>& proceed)
+{
+  const std::size_t count = this->Places.size();
+  std::vector<glm::vec3> rest(count, glm::vec3(0.0f));
+  std::vector<float> diagonal(count, 0.0f);
+  std::vector<float> weights(count, 0.0f);
+  std::vector<glm::vec3>& values = this->Colors[side];
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    const SampleSums& sums = this->Samples[i].Sides[side];
+    for (int k = 0; k < 3; ++k)
+    {
+      const unsigned int place = this->Values[i][k];
+      rest[place] += sums.GetProduct(k);
+      diagonal[place] += sums.Squares[k] + 2.0f * Smoothness * this->Samples[i].Area;
+      weights[place] += sums.GetShare(k);
+    }
+  }
+  values.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    values[i] = weights[i] > 0.0f ? rest[i] / weights[i] : glm::vec3(0.0f);
+    diagonal[i] = diagonal[i] > 0.0f ? 1.0f / diagonal[i] : 0.0f;
+  }
+  std::vector<glm::vec3> product(count);
+  this->Apply(side, values, product);
+  std::vector<glm::vec3> direction(count);
+  glm::dvec3 length(0.0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rest[i] -= product[i];
+    direction[i] = diagonal[i] * rest[i];
+    length += glm::dvec3(rest[i] * direction[i]);
+  }
+  const glm::dvec3 enough = SolvedShare * length;
+  for (int k = 0; k < MaximumIterations; ++k)
+  {
+    proceed(1.0);
+    this->Apply(side, direction, product);
+    glm::dvec3 curvature(0.0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      curvature += glm::dvec3(direction[i] * product[i]);
+    }
+    glm::vec3 step(0.0f);
+    for (int c = 0; c < 3; ++c)
+    {
+      step[c] =
+        curvature[c] > 0.0 && length[c] > enough[c] ? float(length[c] / curvature[c]) : 0.0f;
+    }
+    if (step == glm::vec3(0.0f))
+    {
+      break;
+    }
+    glm::dvec3 next(0.0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      values[i] += step * direction[i];
+      rest[i] -= step * product[i];
+      next += glm::dvec3(diagonal[i] * rest[i] * rest[i]);
+    }
+    glm::vec3 turn(0.0f);
+    for (int c = 0; c < 3; ++c)
+    {
+      turn[c] = length[c] > 0.0 ? float(next[c] / length[c]) : 0.0f;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      direction[i] = diagonal[i] * rest[i] + turn * direction[i];
+    }
+    length = next;
+  }
+}
+
+void ColorFit::Solve(const std::function<void(double)>& proceed)
+{
+  this->JoinCorners();
+  for (const int side : { 0, 1 })
+  {
+    this->SolveSide(side, proceed);
+  }
+}
+
+double ColorFit::FindError(std::size_t triangle, int side) const
+{
+  const glm::uvec3& corners = this->Values[triangle];
+  const std::vector<glm::vec3>& colors = this->Colors[side];
+  const glm::vec3 own[3] = { colors[corners.x], colors[corners.y], colors[corners.z] };
+  return this->Samples[triangle].Sides[side].GetError(own) / 3.0;
+}
+
+float ColorFit::FindLength(std::size_t triangle, int edge) const
+{
+  const glm::uvec3& corners = this->Surface.Triangles[triangle];
+  return glm::distance(
+    this->Surface.Points[corners[edge]], this->Surface.Points[corners[(edge + 1) % 3]]);
+}
+
+// Edges to be divided: those of the triangles with the largest errors, as long as there are not too
+// many.
+std::vector<std::uint64_t> ColorFit::ChooseEdges() const
+{
+  struct Candidate
+  {
+    double Error;
+    std::size_t Triangle;
+  };
+  std::vector<Candidate> candidates;
+  const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    double error = 0.0;
+    double share = 0.0; // of the mean squared error in what is tolerated
+    for (const int side : { 0, 1 })
+    {
+      const double sum = this->FindError(i, side);
+      const float weight = this->Samples[i].Sides[side].Weight;
+      error = std::max(error, sum);
+      share = weight > 0.0f ? std::max(share, sum / (weight * tolerance)) : share;
+    }
+    if (share > 1.0)
+    {
+      candidates.push_back({ error, i });
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.Error != b.Error ? a.Error > b.Error : a.Triangle < b.Triangle; });
+  std::vector<std::uint64_t> edges;
+  for (const Candidate& candidate : candidates)
+  {
+    const glm::uvec3& corners = this->Surface.Triangles[candidate.Triangle];
+    float lengths[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      lengths[k] = this->FindLength(candidate.Triangle, k);
+    }
+    const int longest =
+      static_cast<int>(std::max_element(std::begin(lengths), std::end(lengths)) - lengths);
+    if (lengths[longest] > this->Settings.ShortestEdge)
+    {
+      edges.push_back(EdgeOf(corners[longest], corners[(longest + 1) % 3]));
+    }
+  }
+  this->LimitEdges(edges);
+  return edges;
+}
+
+// Keeps the first edges that do not divide too many triangles, each once.
+void ColorFit::LimitEdges(std::vector<std::uint64_t>& edges) const
+{
+  std::unordered_map<std::uint64_t, std::size_t> uses;
+  for (const std::uint64_t edge : edges)
+  {
+    uses[edge] = 0;
+  }
+  for (const glm::uvec3& corners : this->Surface.Triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto found = uses.find(EdgeOf(corners[k], corners[(k + 1) % 3]));
+      if (found != uses.end())
+      {
+        ++found->second;
+      }
+    }
+  }
+  std::size_t count = this->Surface.Triangles.size();
+  std::size_t kept = 0;
+  for (const std::uint64_t edge : edges)
+  {
+    // Of edges that occur again, the first has taken the uses.
+    const std::size_t more = std::exchange(uses[edge], 0);
+    if (more > 0 && count + more <= this->Settings.MaximumTriangles)
+    {
+      count += more;
+      edges[kept++] = edge;
+    }
+  }
+  edges.resize(kept);
+}
+
+bool ColorFit::Refine()
+{
+  std::unordered_map<std::uint64_t, unsigned int> middles;
+  std::vector<glm::vec3>& points = this->Surface.Points;
+  for (const std::uint64_t edge : this->ChooseEdges())
+  {
+    middles[edge] = static_cast<unsigned int>(points.size());
+    const glm::vec3 from = points[static_cast<unsigned int>(edge)];
+    points.push_back(0.5f * (from + points[static_cast<unsigned int>(edge >> 32)]));
+  }
+  if (middles.empty())
+  {
+    return false;
+  }
+  std::vector<glm::uvec3> triangles;
+  std::vector<TriangleSamples> samples;
+  std::vector<char> areNew;
+  const auto add = [&](unsigned int a, unsigned int b, unsigned int c)
+  {
+    triangles.emplace_back(a, b, c);
+    samples.emplace_back();
+    areNew.push_back(1);
+  };
+  for (std::size_t i = 0; i < this->Surface.Triangles.size(); ++i)
+  {
+    glm::uvec3 corners = this->Surface.Triangles[i];
+    const auto middleOf = [&](int k)
+    {
+      const auto found = middles.find(EdgeOf(corners[k], corners[(k + 1) % 3]));
+      return found == middles.end() ? std::numeric_limits<unsigned int>::max() : found->second;
+    };
+    constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+    const int count =
+      int(middleOf(0) != none) + int(middleOf(1) != none) + int(middleOf(2) != none);
+    // With one divided edge it is the first, with two the last is not divided.
+    while ((count == 1 && middleOf(0) == none) || (count == 2 && middleOf(2) != none))
+    {
+      corners = { corners.y, corners.z, corners.x };
+    }
+    const unsigned int ab = middleOf(0);
+    const unsigned int bc = middleOf(1);
+    const unsigned int ca = middleOf(2);
+    const auto& [a, b, c] = std::array<unsigned int, 3>{ corners.x, corners.y, corners.z };
+    switch (count)
+    {
+      case 0:
+        triangles.push_back(corners);
+        samples.push_back(this->Samples[i]);
+        areNew.push_back(0);
+        break;
+      case 1:
+        add(a, ab, c);
+        add(ab, b, c);
+        break;
+      case 2:
+        add(ab, b, bc);
+        if (glm::distance(points[a], points[bc]) < glm::distance(points[ab], points[c]))
+        {
+          add(a, ab, bc);
+          add(a, bc, c);
+        }
+        else
+        {
+          add(a, ab, c);
+          add(ab, bc, c);
+        }
+        break;
+      default:
+        add(a, ab, ca);
+        add(ab, b, bc);
+        add(ca, bc, c);
+        add(ab, bc, ca);
+        break;
+    }
+  }
+  this->Surface.Triangles = std::move(triangles);
+  this->Samples = std::move(samples);
+  this->AreNew = std::move(areNew);
+  return true;
+}
+
+SideColors ColorFit::Finish()
+{
+  const std::size_t count = this->Places.size();
+  std::array<std::vector<char>, 2> areKnown;
+  std::array<std::vector<char>, 2> areExact;
+  const double exactError = ExactTolerances * this->Settings.Tolerance;
+  for (const int side : { 0, 1 })
+  {
+    areKnown[side].assign(count, 0);
+    areExact[side].assign(count, 1);
+    for (std::size_t i = 0; i < this->Values.size(); ++i)
+    {
+      const TriangleSamples& light = this->Samples[i];
+      const float weight = light.Sides[side].Weight;
+      const bool isExact =
+        light.AreComplete[side] && this->FindError(i, side) <= exactError * exactError * weight;
+      for (int k = 0; k < 3; ++k)
+      {
+        const unsigned int value = this->Values[i][k];
+        areKnown[side][value] |= weight > 0.0f;
+        areExact[side][value] &= isExact;
+      }
+    }
+  }
+  const auto areAlike = [&](unsigned int a, unsigned int b)
+  {
+    for (const int side : { 0, 1 })
+    {
+      const glm::vec3 difference = glm::abs(this->Colors[side][a] - this->Colors[side][b]);
+      if (areKnown[side][a] != areKnown[side][b] || areExact[side][a] != areExact[side][b] ||
+        (areKnown[side][a] &&
+          std::max({ difference.x, difference.y, difference.z }) > MaximumDifference))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  // Values at one point, in their order.
+  std::vector<unsigned int> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+    [&](unsigned int a, unsigned int b) { return this->Places[a] < this->Places[b]; });
+  std::vector<unsigned int> numbers(count);
+  std::vector<unsigned int> kept;
+  SurfaceMesh lit;
+  SideColors result;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const unsigned int value = order[i];
+    const unsigned int place = this->Places[value];
+    if (i == 0 || place != this->Places[order[i - 1]])
+    {
+      kept.clear();
+    }
+    const auto same = std::find_if(
+      kept.begin(), kept.end(), [&](unsigned int other) { return areAlike(value, other); });
+    if (same != kept.end())
+    {
+      numbers[value] = numbers[*same];
+      continue;
+    }
+    kept.push_back(value);
+    numbers[value] = static_cast<unsigned int>(lit.Points.size());
+    lit.Points.push_back(this->Surface.Points[place]);
+    for (const int side : { 0, 1 })
+    {
+      const glm::vec3 color = glm::max(this->Colors[side][value], glm::vec3(0.0f));
+      result.Sides[side].push_back(areKnown[side][value]
+          ? glm::vec4(this->Settings.ClampsColors ? glm::min(color, glm::vec3(1.0f)) : color, 1.0f)
+          : glm::vec4(0.0f));
+      result.AreExact[side].push_back(areKnown[side][value] && areExact[side][value]);
+    }
+  }
+  for (const glm::uvec3& corners : this->Values)
+  {
+    lit.Triangles.emplace_back(numbers[corners.x], numbers[corners.y], numbers[corners.z]);
+  }
+  this->Surface = std::move(lit);
+  return result;
+}
+}
