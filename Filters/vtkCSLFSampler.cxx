@@ -338,8 +338,9 @@ std::optional<cslf::Geometry> vtkCSLFSampler::MakeSurface(const cslf::BuiltScene
   settings.Light = rendering.Cache;
   settings.Exposure = rendering.Exposure;
   settings.ClampsColors = !isFloat;
-  // A root mean square is about half of the largest error.
-  settings.Tolerance = 0.5 * this->GetUsedCacheTolerance();
+  // A root mean square is about half of the largest error. Exact colours are within half a level.
+  settings.Tolerance =
+    this->GetColors() == Exact ? 0.5 / 255.0 : 0.5 * this->GetUsedCacheTolerance();
   cslf::Phase phase(this, "Making the geometry", MadeProgress);
   return cslf::MakeGeometry(
     *scene.World, settings, [&phase](double share) { return phase.Report(share); });

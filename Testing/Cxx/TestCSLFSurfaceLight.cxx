@@ -139,7 +139,7 @@ void TestJump()
     FindError(geometry, [](double x, double) { return std::abs(x) < 1.0 / 6.0 ? 200.0 : 40.0; });
   std::cout << "Jump: " << geometry->GetNumberOfPolys() << " triangles, error " << error << "\n";
   // Two jumps of 58 texels.
-  CSLF_CHECK(geometry->GetNumberOfPolys() < 4000);
+  CSLF_CHECK(geometry->GetNumberOfPolys() < 5000);
   CSLF_CHECK(error < 12.0);
   // The limit of triangles counts more.
   sampler->SetGeometryTriangles(100);
