@@ -9,7 +9,9 @@ cslf_run(sample ${scene} -o box.vti --json)
 expect_json(2 views)
 expect_json(16 resolution)
 expect_json("box.vti" output)
-cslf_run(sample ${scene} -o box.mp4)
+# Centres of some texels lie on edges of the blocks, where rounding decides for either surface: with
+# few triangles, as in the scene, depth from the geometry decides like the rays.
+cslf_run(sample ${scene} --geometry-triangles 60 -o box.mp4)
 cslf_run(sample ${scene} -o box)
 
 # The samples are the same in all formats.
@@ -19,8 +21,7 @@ expect_json(ON channels Coverage equal)
 expect_json(ON channels Depth equal)
 cslf_run(compare box.mp4 box.vti --json)
 expect_json_at_least(25 channels Color psnr)
-# Here, the centres of some texels lie on edges of the blocks, so that either surface is right.
-expect_json_at_least(22 channels Depth psnr)
+expect_json_at_least(25 channels Depth psnr)
 
 # A larger field is written in several pieces.
 set(large cornell-box -M 3 -N 128 --spp 1 --max-depth 1 --integrator path --geometry-triangles 0)

@@ -30,7 +30,7 @@ public:
   struct Hit
   {
     GeometryPoint Point;
-    glm::dvec4 Color; ///< the geometry's own, on the side of the ray; alpha is 0 without one
+    glm::dvec4 Color;     ///< the geometry's own, on the side of the ray; alpha is 0 without one
     bool IsExact = false; ///< whether it is the colour from all directions
   };
 
