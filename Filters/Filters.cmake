@@ -64,7 +64,7 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV Bitstreams Codec Track)
-cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit GeometryRays)
+cslf_add(Filters/Coding/Geometry GeometryCodec GeometryTexels GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
 cslf_add(Filters/Coding/Frames

@@ -303,6 +303,7 @@ bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
   this->ActualNovelViewPSNR = outcome.NovelViewPSNR;
   this->ActualDepthFromGeometry = outcome.ComputesDepth;
   this->ActualGeometryLoss = outcome.GeometryLoss;
+  this->ActualColorFromGeometry = outcome.ColorShare;
   this->SetErrorCode(fault.Code);
   // The interpreter's user knows why it ended.
   if (!fault.Text.empty() && !cslf::IsInterrupted())
@@ -456,4 +457,5 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ActualDepthFromGeometry: " << (this->ActualDepthFromGeometry ? "yes" : "no")
      << "\n";
   os << indent << "ActualGeometryLoss: " << this->ActualGeometryLoss << "\n";
+  os << indent << "ActualColorFromGeometry: " << this->ActualColorFromGeometry << "\n";
 }

@@ -203,10 +203,13 @@ public:
 
   ///@{
   /**
-   * Set/get whether depth and coverage are left out of the file if its geometry tells them: readers
-   * draw the triangles as each viewpoint sees them. Colours beside silhouettes are changed to those
-   * of the triangles. Used if the surfaces that the geometry lacks or hides take at most 5 % of the
-   * texels of the middle viewpoint of each face, and not if the file is lossless. Default: on.
+   * Set/get whether depth, coverage and exact colours are left out of the file if its geometry
+   * tells them: readers draw the triangles as each viewpoint sees them. Colours beside silhouettes
+   * are changed to those of the triangles. Used if the surfaces that the geometry lacks or hides
+   * take at most 5 % of the texels of the middle viewpoint of each face, and not if the file is
+   * lossless. Colours of bytes are left out where the geometry's are exact (point data
+   * `ExactColor`), if they differ from the field's by at most 8 of 255 (root mean square) there. If
+   * all of them are exact, no other viewpoints are requested. Default: on.
    */
   vtkSetMacro(DepthFromGeometry, bool);
   vtkGetMacro(DepthFromGeometry, bool);
@@ -297,11 +300,13 @@ public:
   ///@{
   /**
    * Whether readers of that file compute depth, and coverage if it is not full, from its geometry
-   * (see DepthFromGeometry), and the share of the texels, from 0 to 1, whose surface the geometry
-   * lacks or hides in the viewpoints that were tried; 0 if none were.
+   * (see DepthFromGeometry). In the viewpoints that were tried, the shares of the texels with a
+   * surface, from 0 to 1, that the geometry lacks or hides, and whose colours readers compute from
+   * it; 0 if none were.
    */
   vtkGetMacro(ActualDepthFromGeometry, bool);
   vtkGetMacro(ActualGeometryLoss, double);
+  vtkGetMacro(ActualColorFromGeometry, double);
   ///@}
 
   ///@{
@@ -364,6 +369,7 @@ private:
   double ActualNovelViewPSNR = 0.0;
   bool ActualDepthFromGeometry = false;
   double ActualGeometryLoss = 0.0;
+  double ActualColorFromGeometry = 0.0;
   int NumberOfGroups = 0;
   int ResumedGroups = 0;
 };

@@ -154,18 +154,18 @@ int FieldTexture::ChooseBlocks(const std::vector<ViewFrustum>& frustums,
 bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums,
   const std::vector<ViewFrustum>& recent, const TexturePace& pace)
 {
-  const bool isFirst = !pace.Waits && this->IsEmpty();
-  const int blocks = isFirst ? std::max(1, Residency::CountBlocks(frustums))
+  const bool isSmall = (!pace.Waits && this->IsEmpty()) || frustums.empty();
+  const int blocks = isSmall ? std::max(1, Residency::CountBlocks(frustums))
                              : this->ChooseBlocks(frustums, recent, pace);
-  if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
+  if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsSmall == isSmall)
   {
     return true;
   }
   this->Limit = pace.Limit;
-  this->IsFirst = isFirst;
+  this->IsSmall = isSmall;
   this->IsChanged = true;
   const Description& field = this->Store->GetDescription();
-  const int side = isFirst ? static_cast<int>(CoarsestNodes(field.Grid.GetViewpoints()).size())
+  const int side = isSmall ? static_cast<int>(CoarsestNodes(field.Grid.GetViewpoints()).size())
                            : field.Grid.GetViewpoints();
   if (!this->Pool.Create(field, blocks, side * side, pace.Limit))
   {
@@ -408,7 +408,7 @@ void FieldTexture::Free()
   this->OffSurfacesTexture = 0;
   this->Present = Residency();
   this->Missing = 0;
-  this->IsFirst = false;
+  this->IsSmall = false;
   this->Window = nullptr;
 }
 

@@ -54,14 +54,17 @@ public:
   /// memory become outdated if it changes, because what they see elsewhere is not known then.
   void SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces);
 
-  /// Uploads the samples that these cameras can use to the window's graphics memory. Those that
+  /// Uploads the samples that these cameras can use, if there are any, to the window's graphics memory. Those that
   /// `recent` cameras have used stay if all of them fit. On failure nothing is kept and `error`
   /// gives the reason in one line.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
     const std::vector<ViewFrustum>& recent, const TexturePace& pace, std::string& error);
 
   /// Whether all samples for the cameras of the last Update are there, as far as they fit.
-  bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
+  bool IsComplete() const
+  {
+    return this->Missing == 0 && (!this->IsSmall || this->Frustums.empty());
+  }
 
   /// Whether nothing was loaded since the store was set.
   bool IsEmpty() const { return !this->HasLoaded; }
@@ -116,7 +119,7 @@ private:
   std::shared_ptr<FieldStore> Store;
   vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
   std::int64_t Limit = 0;
-  bool IsFirst = false; ///< there is space only for the coarsest viewpoints
+  bool IsSmall = false; ///< there is space only for the coarsest viewpoints
   TilePool Pool;
   Residency Present;
   SceneGrid Scene;

@@ -44,6 +44,13 @@ void MarkExact(const PointColorArrays& arrays, bool isBack, std::vector<glm::vec
   }
 }
 
+/// After MarkExact.
+bool AreExact(const std::vector<glm::vec4>& colors)
+{
+  return std::all_of(
+    colors.begin(), colors.end(), [](const glm::vec4& color) { return color.w == 1.0f; });
+}
+
 bool AreOpaque(const std::vector<glm::vec4>& colors)
 {
   return std::all_of(
@@ -83,6 +90,8 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   }
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = IsCompleteGeometry(geometry);
+  mesh->IsAlone = mesh->HasExactColors && mesh->IsComplete && !field.MayShowEnvironment() &&
+    AreExact(mesh->Colors) && AreExact(mesh->BackColors);
   mesh->Corners = ListCorners(triangles);
   if (IsOpaqueGeometry(geometry))
   {

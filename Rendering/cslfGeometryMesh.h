@@ -41,6 +41,9 @@ struct GeometryMesh
   /// Whether it has all surfaces: rays that miss it see none.
   bool IsComplete = false;
 
+  /// Whether it alone shows the field: no viewpoint is needed.
+  bool IsAlone = false;
+
   /// Where it is, if it has only the opaque surfaces: rays may meet others. Otherwise null.
   std::shared_ptr<const SurfaceCells> Cells;
 };

@@ -387,10 +387,14 @@ void LookupPicture::DrawPoints(FieldTexture& field)
   {
     this->DrawFaces(field, *this->Tools->Exact, ExactMark, true);
   }
-  this->DrawFaces(field, *this->Tools->Near, NearMark);
-  this->DrawFaces(field, *this->Tools->Far, FarMark);
   const auto& faces = this->Current.EntryFaces;
-  if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
+  const bool isAlone = this->Current.Geometry->IsAlone;
+  if (!isAlone)
+  {
+    this->DrawFaces(field, *this->Tools->Near, NearMark);
+    this->DrawFaces(field, *this->Tools->Far, FarMark);
+  }
+  if (!isAlone && !this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
   {
     this->DrawFaces(field, *this->Tools->Other, OtherMark, true);
   }

@@ -3,11 +3,13 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfFlatUniforms.h"
+#include "cslfGeometryMesh.h"
 #include "cslfLookupConstantsGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
 #include "cslfToneMappingGLSL.h"
+#include "vtkCSLFMapper.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -193,10 +195,15 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
     std::clamp(UploadShare * actor->GetAllocatedRenderTime(), MinimumUpload, MaximumUpload);
   pace.Keeps = this->ChooseCoveragePass(renderer, actor) == PartialCoverage;
   std::string error;
+  const cslf::Description& field = this->Store->GetDescription();
+  const bool isAlone = this->View.Lookup == vtkCSLFMapper::GEOMETRY && this->View.Geometry &&
+    this->View.Geometry->IsAlone && field.FindChannel(cslf::KnownChannel::Depth);
+  using Frustums = std::vector<cslf::ViewFrustum>;
   const auto update = [&]
   {
-    return this->Texture.Update(
-      window, this->Views.GetExpectedFrustums(), this->Views.GetFrustums(), pace, error);
+    return this->Texture.Update(window,
+      isAlone ? Frustums() : this->Views.GetExpectedFrustums(),
+      isAlone ? Frustums() : this->Views.GetFrustums(), pace, error);
   };
   // The driver compiles the lookup's programs at the first drawing. A small hidden picture triggers
   // this while viewpoints are decoded.

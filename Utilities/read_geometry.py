@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads the geometry of a coded light field as Documentation/FileFormat.md describes it, without
-CSLF, and computes the depth that viewpoints see of it."""
+CSLF, and computes the depth and the exact colours that viewpoints see of it."""
 import json
 import struct
 import zlib
@@ -150,8 +150,34 @@ def read_attributes(stream, points, size):
     return numpy.concatenate(blocks)
 
 
+def read_colors(header, streams):
+    """The exact colours of bytes: front and back, point, red, green, blue and whether it is exact;
+    nothing if there are none."""
+    if header.get("colors") != "srgb8" or not header.get("exact_bytes", 0):
+        return None
+    count = header["points"]
+    sizes = [header["color_bytes"], header.get("back_color_bytes", 0), header["exact_bytes"]]
+    ends = numpy.cumsum(sizes)
+    sides = [read_attributes(streams[end - size:end], count, 4) if size else None
+             for size, end in zip(sizes, ends)]
+    subtracted = header.get("subtracted", ["front"])
+    for side in sides[:2]:
+        if side is not None and "green" in subtracted:
+            side[:, 0] += side[:, 1]
+            side[:, 2] += side[:, 1]
+    if sides[1] is None:
+        sides[1] = sides[0].copy()
+        sides[2][:, 1] = sides[2][:, 0]
+    elif "front" in subtracted:
+        sides[1] += sides[0]
+    for k in range(2):
+        sides[k][:, 3] = sides[2][:, k]
+    return numpy.stack(sides[:2])
+
+
 def read_geometry(data):
-    """Points in CC, the corners of triangles, and the header, of the bytes of the part."""
+    """Points in CC, the corners of triangles, exact colours, and the header, of the bytes of the
+    part."""
     size = struct.unpack_from("<I", data)[0]
     header = json.loads(data[4:4 + size])
     streams = zlib.decompress(data[4 + size:])
@@ -163,38 +189,44 @@ def read_geometry(data):
     most = 2 ** header.get("position_bits", 16) - 1
     bounds = numpy.array(header.get("position_bounds", [-1, -1, -1, 1, 1, 1]), float)
     points = bounds[:3] + steps / most * (bounds[3:] - bounds[:3])
-    return points, numpy.array(corners), header
+    return points, numpy.array(corners), read_colors(header, streams[end:]), header
 
 
 # What viewpoints see of it.
 
 
 class Viewer:
-    def __init__(self, points, corners, nodes, base_nodes, resolution):
+    def __init__(self, points, corners, colors, nodes, base_nodes, resolution):
         self.triangles = points[corners]  # triangle, corner, axis
+        self.colors = None if colors is None else colors[:, corners].astype(float)
         self.nodes = nodes
         self.base_nodes = base_nodes
         self.resolution = resolution
 
     def see(self, z):
-        """The depths of a viewpoint's strip."""
+        """The depths of a viewpoint's strip, and its colours: red, green, blue and whether they
+        are exact."""
         count = len(self.nodes)
         face, j, i = z // count**2, z // count % count, z % count
         u, v = (2.0 * self.nodes[k] / (self.base_nodes - 1) - 1.0 for k in (i, j))
         right, down, normal = (numpy.array(axis, float) for axis in FACES[face])
         position = normal + u * right + v * down
-        return numpy.concatenate([self.see_tile(position, exit_face)
-                                  for exit_face in range(6) if exit_face != face], axis=1)
+        tiles = [self.see_tile(position, exit_face) for exit_face in range(6) if exit_face != face]
+        return tuple(numpy.concatenate(parts, axis=1) for parts in zip(*tiles))
 
     def see_tile(self, position, face):
         size = self.resolution
+        nearest = numpy.full(size * size, numpy.inf)
         depths = numpy.full(size * size, NOTHING)
+        colors = numpy.zeros((size * size, 4), int)
         axes = numpy.array(FACES[face], float)
         distance = 1.0 - axes[2] @ position
         if distance <= 0.0:  # the rays lie in the face
-            return depths.reshape(size, size)
+            return depths.reshape(size, size), colors.reshape(size, size, 4)
         seen = (self.triangles - position) @ axes.T
-        seen = seen[(seen[..., 2] > 0.0).any(axis=1)]
+        numbers = numpy.flatnonzero((seen[..., 2] > 0.0).any(axis=1))
+        seen = seen[numbers]
+        is_mirrored = numpy.linalg.det(axes) < 0.0
         start = -1.0 - axes[:2] @ position
         # The texels that may meet a triangle; all, if it reaches behind the viewpoint.
         ahead = (seen[..., 2] > 1e-6).all(axis=1)
@@ -214,15 +246,34 @@ class Viewer:
             y = low[triangle, 1] + number // spans[triangle, 0]
             rays = numpy.stack([start[0] + (2 * x + 1) / size, start[1] + (2 * y + 1) / size,
                                 numpy.full(len(x), distance)], axis=1)
-            fractions = meet(rays, seen, triangle)
-            met = numpy.isfinite(fractions)
-            steps = numpy.minimum(numpy.floor(65535.0 * fractions[met] + 0.5), NOTHING - 1)
-            numpy.minimum.at(depths, (y * size + x)[met], steps.astype(int))
-        return depths.reshape(size, size)
+            fractions, weights = meet(rays, seen, triangle)
+            # The first of each texel, by distance and then by number.
+            order = numpy.argsort(fractions, kind="stable")
+            order = order[numpy.isfinite(fractions[order])]
+            texels, firsts = numpy.unique((y * size + x)[order], return_index=True)
+            first = order[firsts]
+            is_nearer = fractions[first] < nearest[texels]
+            texels, first = texels[is_nearer], first[is_nearer]
+            nearest[texels] = fractions[first]
+            steps = numpy.minimum(numpy.floor(65535.0 * fractions[first] + 0.5), NOTHING - 1)
+            depths[texels] = steps.astype(int)
+            if self.colors is not None:
+                is_back = (weights[first].sum(axis=1) > 0.0) != is_mirrored
+                colors[texels] = self.mix(numbers[triangle[first]], weights[first], is_back)
+        return depths.reshape(size, size), colors.reshape(size, size, 4)
+
+    def mix(self, triangles, weights, is_back):
+        """The colours in triangles, exact where those of all three corners are."""
+        corners = self.colors[is_back.astype(int), triangles]
+        shares = weights / weights.sum(axis=1, keepdims=True)
+        mixed = numpy.floor((shares[..., None] * corners).sum(axis=1) + 0.5)
+        mixed[:, 3] = (corners[..., 3] > 0).all(axis=1)
+        return mixed.astype(int)
 
 
 def meet(rays, triangles, which):
-    """The fractions of rays from 0 at which they meet their triangles, or infinity."""
+    """The fractions of rays from 0 at which they meet their triangles, or infinity, and weights
+    of the corners there, whose sum is above 0 where the ray meets the back."""
     a, b, c = (triangles[:, k] for k in range(3))
     sides = [(rays * numpy.cross(p, q)[which]).sum(axis=1) for p, q in ((a, b), (b, c), (c, a))]
     volumes = (numpy.cross(a, b) * c).sum(axis=1)[which]
@@ -230,4 +281,5 @@ def meet(rays, triangles, which):
     inside = numpy.logical_or(numpy.minimum.reduce(sides) >= 0.0,
                               numpy.maximum.reduce(sides) <= 0.0) & (total != 0.0)
     fractions = volumes / numpy.where(inside, total, 1.0)
-    return numpy.where(inside & (fractions > 0.0), fractions, numpy.inf)
+    return (numpy.where(inside & (fractions > 0.0), fractions, numpy.inf),
+            numpy.stack([sides[1], sides[2], sides[0]], axis=1))

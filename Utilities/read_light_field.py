@@ -5,8 +5,8 @@
 
 usage: read_light_field.py FILE [-o TEXELS.npz] [--compare TEXELS.npz]
 
-FFmpeg's commands give the samples of the video tracks, numpy does the rest. Depth that is computed
-from a geometry takes about a second per viewpoint. Checksums of the description, of its parts, of
+FFmpeg's commands give the samples of the video tracks, numpy does the rest. Depth and
+colour that are computed from a geometry take about a second per viewpoint. Checksums of the description, of its parts, of
 the parameter sets and of all groups are checked. The texels are the
 arrays "Color" (viewpoint, row, column, 4), as bytes or float32, and "Depth" (viewpoint, row,
 column), as uint16, row 0 on top. --compare ends with 1 where any texel differs.
@@ -325,28 +325,32 @@ def read_light_field(path):
         tracks[track["role"]] = track
         planes[track["role"]] = read_planes(path, stream, size, count)
     parts = read_parts(header, tags)
-    computed = None
-    if "from_geometry" in coding:
-        computed = compute_depths(header, parts, slices)
-        if "coverage" in coding["from_geometry"]:
+    computed = exact = None
+    names = coding.get("from_geometry", [])
+    if names:
+        computed, exact = compute_texels(header, parts, slices)
+        if "coverage" in names:
             tracks["coverage"] = {"tolerance": 0}
             planes["coverage"] = [numpy.where(computed < FAR, 255, 0)]
-    return make_texels(tracks, planes, size, slices, computed), parts
+    texels = make_texels(tracks, planes, size, slices, computed,
+                         exact if "color" in names else None)
+    return texels, parts
 
 
-def compute_depths(header, parts, slices):
-    """The depths that the viewpoints of the frames see of the field's geometry."""
+def compute_texels(header, parts, slices):
+    """The depths that the viewpoints of the frames see of the field's geometry, and the exact
+    colours."""
     found = [data for kind, name, data in parts
              if kind == read_geometry.TYPE and name == "geometry"]
     require(found, "it has no geometry")
-    points, corners, _ = read_geometry.read_geometry(found[0])
-    viewer = read_geometry.Viewer(points, corners, header["nodes"], header["base_nodes"],
+    points, corners, colors, _ = read_geometry.read_geometry(found[0])
+    viewer = read_geometry.Viewer(points, corners, colors, header["nodes"], header["base_nodes"],
                                   header["resolution"])
-    return numpy.stack([viewer.see(z) for z in slices])
+    return tuple(numpy.stack(parts) for parts in zip(*(viewer.see(z) for z in slices)))
 
 
-def make_texels(tracks, planes, size, slices, depth):
-    """`depth` is what was computed, or None."""
+def make_texels(tracks, planes, size, slices, depth, exact):
+    """`depth` and `exact` are what was computed, or None."""
     color = tracks["color"]
     is_float = color.get("transfer") == "smpte2084"
     shape = (len(slices), size, TILES * size)
@@ -364,7 +368,11 @@ def make_texels(tracks, planes, size, slices, depth):
         alpha = coverage.astype(numpy.float32) / numpy.float32(255)
     else:
         colors = to_colors(planes["color"], color, size, 255, 20)
-        colors = numpy.minimum(colors, coverage[..., None]).astype(numpy.uint8)
+        colors = numpy.minimum(colors, coverage[..., None])
+        if exact is not None:
+            shown = numpy.floor(coverage[..., None] * exact[..., :3] / 255 + 0.5).astype(int)
+            colors = numpy.where(exact[..., 3:] > 0, shown, colors)
+        colors = colors.astype(numpy.uint8)
         alpha = coverage.astype(numpy.uint8)
     texels["Color"] = numpy.concatenate([colors, alpha[..., None]], axis=-1)
     if "depth" in tracks:

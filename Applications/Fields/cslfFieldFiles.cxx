@@ -563,6 +563,7 @@ nlohmann::json FieldWriter::WriteVideo(
   {
     json["depth_from_geometry"] = encoder->GetActualDepthFromGeometry();
     json["geometry_loss"] = encoder->GetActualGeometryLoss();
+    json["color_from_geometry"] = encoder->GetActualColorFromGeometry();
   }
   if (encoder->GetResumedGroups() > 0)
   {

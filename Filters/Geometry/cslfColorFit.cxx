@@ -28,6 +28,9 @@ constexpr float MaximumDifference = 2.0f / 255.0f;
 /// tolerances.
 constexpr double ExactTolerances = 3.0;
 
+/// If no more of what is sampled has larger errors, there are no viewpoints for so little.
+constexpr double MaximumRest = 0.005;
+
 /// Differences of the corners of a triangle weigh this much beside its samples.
 constexpr float Smoothness = 1e-3f;
 
@@ -268,15 +271,11 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
     double error = 0.0;
-    double share = 0.0; // of the mean squared error in what is tolerated
     for (const int side : { 0, 1 })
     {
-      const double sum = this->FindError(i, side);
-      const float weight = this->Samples[i].Sides[side].Weight;
-      error = std::max(error, sum);
-      share = weight > 0.0f ? std::max(share, sum / (weight * tolerance)) : share;
+      error = std::max(error, this->FindError(i, side));
     }
-    if (share > 1.0)
+    if (error > tolerance * this->Samples[i].Area)
     {
       candidates.push_back({ error, i });
     }
@@ -419,27 +418,57 @@ bool ColorFit::Refine()
   return true;
 }
 
+// The values that show all triangles around them well.
+std::array<std::vector<char>, 2> ColorFit::FindExact() const
+{
+  const double most = std::pow(ExactTolerances * this->Settings.Tolerance, 2.0);
+  const auto errs = [&](std::size_t triangle, int side)
+  { return this->FindError(triangle, side) > most * this->Samples[triangle].Area; };
+  bool areComplete = true;
+  double all = 0.0;
+  double known = 0.0;
+  double rest = 0.0;
+  for (const int side : { 0, 1 })
+  {
+    for (std::size_t i = 0; i < this->Values.size(); ++i)
+    {
+      const double weight = this->Samples[i].Sides[side].Weight;
+      areComplete = areComplete && this->Samples[i].AreComplete[side];
+      all += weight;
+      known += this->Samples[i].AreComplete[side] ? weight : 0.0;
+      rest += errs(i, side) ? weight : 0.0;
+    }
+  }
+  const bool areAllExact = areComplete && rest <= MaximumRest * all;
+  std::array<std::vector<char>, 2> areExact;
+  for (const int side : { 0, 1 })
+  {
+    areExact[side].assign(this->Places.size(), known > rest ? 1 : 0);
+    for (std::size_t i = 0; i < this->Values.size() && !areAllExact; ++i)
+    {
+      const bool isExact = this->Samples[i].AreComplete[side] && !errs(i, side);
+      for (int k = 0; k < 3; ++k)
+      {
+        areExact[side][this->Values[i][k]] &= isExact;
+      }
+    }
+  }
+  return areExact;
+}
+
 SideColors ColorFit::Finish()
 {
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
-  std::array<std::vector<char>, 2> areExact;
-  const double exactError = ExactTolerances * this->Settings.Tolerance;
+  const std::array<std::vector<char>, 2> areExact = this->FindExact();
   for (const int side : { 0, 1 })
   {
     areKnown[side].assign(count, 0);
-    areExact[side].assign(count, 1);
     for (std::size_t i = 0; i < this->Values.size(); ++i)
     {
-      const TriangleSamples& light = this->Samples[i];
-      const float weight = light.Sides[side].Weight;
-      const bool isExact =
-        light.AreComplete[side] && this->FindError(i, side) <= exactError * exactError * weight;
       for (int k = 0; k < 3; ++k)
       {
-        const unsigned int value = this->Values[i][k];
-        areKnown[side][value] |= weight > 0.0f;
-        areExact[side][value] &= isExact;
+        areKnown[side][this->Values[i][k]] |= this->Samples[i].Sides[side].Weight > 0.0f;
       }
     }
   }
@@ -490,7 +519,7 @@ SideColors ColorFit::Finish()
       result.Sides[side].push_back(areKnown[side][value]
           ? glm::vec4(this->Settings.ClampsColors ? glm::min(color, glm::vec3(1.0f)) : color, 1.0f)
           : glm::vec4(0.0f));
-      result.AreExact[side].push_back(areKnown[side][value] && areExact[side][value]);
+      result.AreExact[side].push_back(areExact[side][value]);
     }
   }
   for (const glm::uvec3& corners : this->Values)

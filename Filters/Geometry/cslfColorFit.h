@@ -152,6 +152,7 @@ private:
   void LimitEdges(std::vector<std::uint64_t>& edges) const;
   double FindError(std::size_t triangle, int side) const;
   float FindLength(std::size_t triangle, int edge) const;
+  std::array<std::vector<char>, 2> FindExact() const;
 
   ColorFitSettings Settings;
   SurfaceMesh& Surface;

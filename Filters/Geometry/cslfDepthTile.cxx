@@ -96,14 +96,15 @@ struct Range
   double Most;
 };
 
-/// Draws a triangle to the texels of a box: its inverse depth, which is the last plane, where the
-/// other three are not negative.
-CSLF_VECTORIZE void DrawTexels(
-  const Plane planes[4], const Range& range, int width, int height, float* nearest, int resolution)
+/// Draws a triangle to the texels of a box: its inverse depth, which is the last plane, and its
+/// number, where the other three are not negative.
+CSLF_VECTORIZE void DrawTexels(const Plane planes[4], const Range& range, int width, int height,
+  std::uint32_t number, float* nearest, std::uint32_t* numbers, int resolution)
 {
   for (int y = 0; y < height; ++y)
   {
     float* row = nearest + static_cast<std::size_t>(y) * resolution;
+    std::uint32_t* triangles = numbers + static_cast<std::size_t>(y) * resolution;
     double first[4];
     for (int k = 0; k < 4; ++k)
     {
@@ -117,7 +118,9 @@ CSLF_VECTORIZE void DrawTexels(
           first[2] + x * planes[2].StepX);
       const double linear = first[3] + x * planes[3].StepX;
       const auto inverse = static_cast<float>(std::min(std::max(linear, range.Least), range.Most));
-      row[x] = least >= 0.0 && inverse > row[x] ? inverse : row[x];
+      const bool isNearest = least >= 0.0 && inverse > row[x];
+      row[x] = isNearest ? inverse : row[x];
+      triangles[x] = isNearest ? number : triangles[x];
     }
   }
 }
@@ -186,6 +189,7 @@ DepthTile::DepthTile(const Layout& grid, int slice, int tile)
     TileAxis(Frame.AxisZ, Frame.From) }
 {
   this->Nearest.assign(static_cast<std::size_t>(this->Resolution) * this->Resolution, 0.0F);
+  this->Triangles.assign(this->Nearest.size(), 0);
 }
 
 bool DepthTile::Draw(const DrawnTriangles& triangles, const std::atomic<bool>& isStopped)
@@ -208,7 +212,7 @@ bool DepthTile::Draw(const DrawnTriangles& triangles, const std::atomic<bool>& i
     {
       for (std::size_t k = first; k < end; k += 3)
       {
-        this->Draw(triangles.GetPoints(), &corners[k]);
+        this->Draw(triangles, static_cast<std::uint32_t>(k / 3));
       }
     }
     first = end;
@@ -258,8 +262,10 @@ void DepthTile::Place(const std::array<std::vector<float>, 3>& points)
     this->Inverses.data(), this->Sides.data());
 }
 
-void DepthTile::Draw(const std::vector<glm::dvec3>& points, const unsigned int* corners)
+void DepthTile::Draw(const DrawnTriangles& triangles, std::uint32_t number)
 {
+  const std::vector<glm::dvec3>& points = triangles.GetPoints();
+  const unsigned int* corners = &triangles.GetCorners()[3 * std::size_t(number)];
   const std::uint8_t sides[3] = { this->Sides[corners[0]], this->Sides[corners[1]],
     this->Sides[corners[2]] };
   if ((sides[0] & sides[1] & sides[2] & ~Close) != 0)
@@ -275,11 +281,11 @@ void DepthTile::Draw(const std::vector<glm::dvec3>& points, const unsigned int* 
   }
   if (isNear)
   {
-    this->Draw(this->Find(points, corners), box);
+    this->Draw(this->Find(points, corners), box, number);
   }
   else
   {
-    this->Draw(corners, box);
+    this->Draw(corners, box, number);
   }
 }
 
@@ -336,7 +342,7 @@ DepthTile::Box DepthTile::ToBox(const glm::vec2& least, const glm::vec2& most) c
     std::max(up(first.y) - 1, 0), std::min(static_cast<int>(end.y) - 1, last) };
 }
 
-void DepthTile::Draw(const Triangle& triangle, const Box& box)
+void DepthTile::Draw(const Triangle& triangle, const Box& box, std::uint32_t number)
 {
   const glm::dvec3& a = triangle[0];
   const glm::dvec3 normal = glm::cross(triangle[1] - a, triangle[2] - a);
@@ -364,14 +370,14 @@ void DepthTile::Draw(const Triangle& triangle, const Box& box)
     std::max(triangle[1].z, NearestDistance), std::max(triangle[2].z, NearestDistance) };
   const Range range = { this->Frame.Distance / std::max({ depths[0], depths[1], depths[2] }),
     this->Frame.Distance / std::min({ depths[0], depths[1], depths[2] }) };
-  DrawTexels(planes, range, box.LastX - box.FirstX + 1, box.LastY - box.FirstY + 1,
-    &this->Nearest[static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX],
-    this->Resolution);
+  const std::size_t texel = static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX;
+  DrawTexels(planes, range, box.LastX - box.FirstX + 1, box.LastY - box.FirstY + 1, number,
+    &this->Nearest[texel], &this->Triangles[texel], this->Resolution);
 }
 
 // The same for projected corners, none of which is near. The products of their differences are
 // exact.
-void DepthTile::Draw(const unsigned int* corners, const Box& box)
+void DepthTile::Draw(const unsigned int* corners, const Box& box, std::uint32_t number)
 {
   glm::dvec2 points[3];
   double inverses[3];
@@ -401,8 +407,8 @@ void DepthTile::Draw(const unsigned int* corners, const Box& box)
   }
   const Range range = { std::min({ inverses[0], inverses[1], inverses[2] }),
     std::max({ inverses[0], inverses[1], inverses[2] }) };
-  DrawTexels(planes, range, box.LastX - box.FirstX + 1, box.LastY - box.FirstY + 1,
-    &this->Nearest[static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX],
-    this->Resolution);
+  const std::size_t texel = static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX;
+  DrawTexels(planes, range, box.LastX - box.FirstX + 1, box.LastY - box.FirstY + 1, number,
+    &this->Nearest[texel], &this->Triangles[texel], this->Resolution);
 }
 }

@@ -79,8 +79,7 @@ struct TileAxis
   double From = 0.0;
 };
 
-/// The inverse depths of one tile of a viewpoint's strip, which become those of the nearest
-/// triangles that were drawn.
+/// The nearest triangles that were drawn in one tile of a viewpoint's strip.
 class VTKCSLF_EXPORT DepthTile
 {
 public:
@@ -94,6 +93,9 @@ public:
 
   /// For each texel, the largest 1 / depth of triangles that the ray to its centre meets, or 0.
   const std::vector<float>& GetInverseDepths() const { return this->Nearest; }
+
+  /// For each texel with a depth, the number of that triangle: of equally near ones, the first.
+  const std::vector<std::uint32_t>& GetTriangles() const { return this->Triangles; }
 
 private:
   using Triangle = std::array<glm::dvec3, 3>;
@@ -114,9 +116,9 @@ private:
   Box FindBox(const unsigned int* corners) const;
   Box FindBox(const std::vector<glm::dvec3>& corners) const;
   Box ToBox(const glm::vec2& least, const glm::vec2& most) const;
-  void Draw(const std::vector<glm::dvec3>& points, const unsigned int* corners);
-  void Draw(const Triangle& triangle, const Box& box);
-  void Draw(const unsigned int* corners, const Box& box);
+  void Draw(const DrawnTriangles& triangles, std::uint32_t number);
+  void Draw(const Triangle& triangle, const Box& box, std::uint32_t number);
+  void Draw(const unsigned int* corners, const Box& box, std::uint32_t number);
 
   int Resolution;
   float Margin;
@@ -127,6 +129,7 @@ private:
   std::vector<float> Inverses; ///< of their depths, in halves of a tile's side
   std::vector<std::uint8_t> Sides;
   std::vector<float> Nearest;
+  std::vector<std::uint32_t> Triangles;
 };
 }
 

@@ -117,6 +117,14 @@ std::vector<ViewpointSamples> CopySamples(
   return copies;
 }
 
+std::vector<ViewpointSamples> MakeBlankSamples(const Description& field, std::size_t count)
+{
+  const ViewpointSamples samples =
+    MakeSamples(field, static_cast<vtkIdType>(field.Grid.GetStripTexels()));
+  Clear(field, samples);
+  return std::vector<ViewpointSamples>(count, samples);
+}
+
 void Clear(const Description& field, const ViewpointSamples& samples)
 {
   const std::size_t texels = field.Grid.GetStripTexels();

@@ -49,6 +49,9 @@ ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples);
 std::vector<ViewpointSamples> CopySamples(
   const Description& field, const std::vector<ViewpointSamples>& samples);
 
+/// Viewpoints of a field where nothing is covered. They share their arrays. Throws std::bad_alloc.
+std::vector<ViewpointSamples> MakeBlankSamples(const Description& field, std::size_t count);
+
 /// Fills a viewpoint's texels as if nothing was covered.
 void Clear(const Description& field, const ViewpointSamples& samples);
 

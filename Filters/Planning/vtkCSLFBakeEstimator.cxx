@@ -79,10 +79,7 @@ int RoundDown(double samples)
 /// Removes the measurements of a bake from a manifest, so that only the settings remain.
 void EraseMeasured(nlohmann::json& manifest)
 {
-  for (const char* key : { "sample", "geometry", "computes_coverage" })
-  {
-    manifest.erase(key);
-  }
+  manifest.erase("measured");
   const nlohmann::json::json_pointer cache("/description/sampling/cache");
   if (manifest.contains(cache))
   {

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose depth and coverage are those of their geometry: what viewpoints see of triangles is
-// compared with rays, colours stay, such files are smaller, and what the geometry does not tell is
-// coded as in other files. Bad headers are refused.
+// Files whose depth, coverage and some of whose colours are those of their geometry: what viewpoints
+// see of triangles is compared with rays, other colours stay, such files are smaller, and what the
+// geometry does not tell is coded as in other files. Bad headers are refused.
 #include "Coding/Containers/cslfContainerReader.h"
-#include "Coding/Geometry/cslfGeometryDepths.h"
+#include "Coding/Geometry/cslfGeometryRays.h"
+#include "Coding/Geometry/cslfGeometryTexels.h"
+#include "Coding/Writing/cslfGeometryPlan.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfCodecTesting.h"
@@ -31,14 +33,17 @@
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace
 {
-constexpr int None = cslf::GeometryDepths::None;
+constexpr int None = cslf::GeometryTexels::None;
 const std::atomic<bool> IsStopped{ false };
 
 /// The first triangle that a texel's ray meets.
@@ -69,14 +74,15 @@ void TestDepths()
 {
   const auto triangles = cslf::Triangulate(cslf::testing::MakeTestSurfaces(cslf::Cube()));
   const cslf::Layout grid(5, 11);
-  const cslf::GeometryDepths depths(triangles, cslf::Cube(), grid);
+  const cslf::GeometryTexels depths(triangles, cslf::Cube(), grid);
   int texels = 0;
   int others = 0;
   int hits = 0;
-  std::vector<unsigned short> strip(grid.GetStripTexels());
+  cslf::DrawnTexels drawn(grid.GetStripTexels(), false);
+  const std::vector<unsigned short>& strip = drawn.Depths;
   for (int slice : { 0, 7, 12, 30, 49, 62, 88, 101, 126, 149 })
   {
-    depths.Draw(slice, strip.data(), IsStopped);
+    depths.Draw(slice, drawn, IsStopped);
     for (int place = 0; place < static_cast<int>(strip.size()); ++place)
     {
       const int x = place % grid.GetStripWidth();
@@ -119,11 +125,12 @@ void TestGaps()
   sheet->SetPoints(points);
   sheet->SetPolys(cells);
   const cslf::Layout grid(5, 64);
-  const cslf::GeometryDepths depths(sheet, cslf::Cube(), grid);
-  std::vector<unsigned short> strip(grid.GetStripTexels());
+  const cslf::GeometryTexels depths(sheet, cslf::Cube(), grid);
+  cslf::DrawnTexels drawn(grid.GetStripTexels(), false);
+  const std::vector<unsigned short>& strip = drawn.Depths;
   for (int slice = 0; slice < grid.GetSlices(); ++slice)
   {
-    depths.Draw(slice, strip.data(), IsStopped);
+    depths.Draw(slice, drawn, IsStopped);
     const cslf::Viewpoint viewpoint = grid.ViewpointOf(slice);
     // The rays to the opposite face from the two faces beside the sheet all meet it.
     if (viewpoint.Face >= 4)
@@ -225,7 +232,7 @@ void TestFile(const std::string& folder, int colorType)
             << " bytes\n";
   CSLF_CHECK(with->GetActualDepthFromGeometry() && with->GetActualGeometryLoss() < 0.01);
   const cslf::FileHeader header = file.ReadHeader();
-  CSLF_CHECK(header.Tracks.size() == 1 && header.HasGeometryDepth && header.HasGeometryCoverage);
+  CSLF_CHECK(header.Tracks.size() == 1 && header.Computed.HasDepth && header.Computed.HasCoverage);
   const auto field = file.Read();
   CheckDecoded(file.Field, field, true, colorType == VTK_FLOAT ? 1.0 : 255.0);
 
@@ -250,6 +257,169 @@ void TestFile(const std::string& folder, int colorType)
   CSLF_CHECK(!without->GetActualDepthFromGeometry() && without->GetActualGeometryLoss() == 0.0);
   CSLF_CHECK(with->GetActualSize() < 0.9 * without->GetActualSize());
   CSLF_CHECK(file.ReadHeader().Tracks.size() == 3);
+}
+
+/// Surfaces whose colours vary from point to point, other ones on the back. They are exact where
+/// x is below the first limit on the front, and y below the second on the back.
+vtkSmartPointer<vtkPolyData> MakeColoredSurfaces(double frontLimit, double backLimit)
+{
+  const auto surfaces = cslf::Triangulate(cslf::testing::MakeTestSurfaces(cslf::Cube()));
+  vtkNew<vtkUnsignedCharArray> colors[3];
+  const char* const names[3] = { "Color", "BackColor", cslf::ExactColorName };
+  for (int k = 0; k < 3; ++k)
+  {
+    colors[k]->SetName(names[k]);
+    colors[k]->SetNumberOfComponents(k < 2 ? 4 : 2);
+    surfaces->GetPointData()->AddArray(colors[k]);
+  }
+  for (vtkIdType point = 0; point < surfaces->GetNumberOfPoints(); ++point)
+  {
+    double p[3];
+    surfaces->GetPoint(point, p);
+    colors[0]->InsertNextTuple4(
+      std::floor(130 + 90 * p[0]), std::floor(120 - 80 * p[1]), std::floor(90 + 70 * p[2]), 255);
+    colors[1]->InsertNextTuple4(
+      std::floor(60 - 50 * p[2]), std::floor(200 + 40 * p[0]), std::floor(90 + 60 * p[1]), 255);
+    colors[2]->InsertNextTuple2(p[0] < frontLimit ? 1 : 0, p[1] < backLimit ? 1 : 0);
+  }
+  return surfaces;
+}
+
+/// What the ray to a texel's centre meets.
+std::optional<cslf::GeometryRays::Hit> FindHit(
+  const cslf::GeometryRays& rays, const cslf::Layout& grid, vtkIdType texel)
+{
+  const auto strip = static_cast<vtkIdType>(grid.GetStripTexels());
+  const cslf::Viewpoint viewpoint = grid.ViewpointOf(static_cast<int>(texel / strip));
+  const int x = static_cast<int>(texel % strip) % grid.GetStripWidth();
+  const int y = static_cast<int>(texel % strip) / grid.GetStripWidth();
+  cslf::RayCoordinates ray;
+  ray.Entry = { viewpoint.Face,
+    { grid.NodeCoordinate(viewpoint.I), grid.NodeCoordinate(viewpoint.J) } };
+  ray.Exit = { cslf::ExitFaceOf(viewpoint.Face, x / grid.GetResolution()),
+    { grid.TexelCoordinate(x % grid.GetResolution()), grid.TexelCoordinate(y) } };
+  return rays.Intersect(ray);
+}
+
+/// Gives the texels of a field the exact colours that its geometry has there, with some noise, and
+/// returns these; alpha is 0 elsewhere.
+std::vector<glm::dvec4> PutExactColors(const Case& file, const cslf::Layout& grid)
+{
+  cslf::Description field;
+  field.Grid = grid;
+  const cslf::GeometryRays rays(file.Geometry, field);
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(GetArray(file.Field, "Color"));
+  std::vector<glm::dvec4> exact(colors->GetNumberOfTuples(), glm::dvec4(0.0));
+  for (vtkIdType texel = 0; texel < colors->GetNumberOfTuples(); ++texel)
+  {
+    const auto hit = FindHit(rays, grid, texel);
+    if (hit && hit->IsExact)
+    {
+      exact[texel] = hit->Color;
+      const double alpha = colors->GetTypedComponent(texel, 3);
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto noise = static_cast<double>((texel * 7 + k * 3) % 9 - 4);
+        colors->SetTypedComponent(texel, k,
+          static_cast<unsigned char>(std::clamp(alpha * hit->Color[k] + noise, 0.0, alpha)));
+      }
+    }
+  }
+  return exact;
+}
+
+/// Readers have the exact colours, to the level.
+void CheckExact(vtkImageData* field, const std::vector<glm::dvec4>& exact)
+{
+  vtkDataArray* colors = GetArray(field, "Color");
+  vtkIdType count = 0;
+  vtkIdType others = 0;
+  for (vtkIdType texel = 0; texel < colors->GetNumberOfTuples(); ++texel)
+  {
+    if (exact[texel].w > 0.0)
+    {
+      ++count;
+      bool isSame = colors->GetComponent(texel, 3) == 255.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        isSame =
+          isSame && std::abs(colors->GetComponent(texel, k) - 255.0 * exact[texel][k]) < 0.51;
+      }
+      others += isSame ? 0 : 1;
+    }
+  }
+  std::cout << others << " of " << count << " exact texels differ\n";
+  // At edges of triangles, each may miss or add a hit.
+  CSLF_CHECK(count > 10000 && others < count / 100);
+}
+
+/// Exact colours are not coded, if they are the field's: readers get them from the geometry, to the
+/// level, and the others as without.
+void TestColors(const std::string& folder)
+{
+  const cslf::Layout grid(3, 32);
+  Case file{ cslf::testing::MakeTestField(
+               grid, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT),
+    MakeColoredSurfaces(0.5, 0.0), folder + "/colors.mp4" };
+  // The field's own colours are others.
+  CSLF_CHECK(file.Write()->GetActualDepthFromGeometry());
+  CSLF_CHECK(!file.ReadHeader().Computed.HasColor);
+
+  const std::vector<glm::dvec4> exact = PutExactColors(file, grid);
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(GetArray(file.Field, "Color"));
+  const auto with = file.Write();
+  std::cout << "colours of " << with->GetActualColorFromGeometry() << " from the geometry, "
+            << with->GetActualSize() << " bytes\n";
+  CSLF_CHECK(with->GetActualColorFromGeometry() > 0.1 && with->GetActualColorFromGeometry() < 0.9);
+  CSLF_CHECK(file.ReadHeader().Computed.HasColor && file.ReadHeader().Tracks.size() == 1);
+  const auto after = file.Read();
+  CheckExact(after, exact);
+
+  // Nothing changes beside them.
+  file.Geometry->GetPointData()->RemoveArray(cslf::ExactColorName);
+  const auto without = file.Write();
+  std::cout << without->GetActualSize() << " bytes without\n";
+  CSLF_CHECK(without->GetActualColorFromGeometry() == 0.0 && !file.ReadHeader().Computed.HasColor);
+  CSLF_CHECK(with->GetActualSize() < 0.95 * without->GetActualSize());
+  const auto coded = file.Read();
+  double squares = 0.0;
+  vtkIdType compared = 0;
+  for (vtkIdType texel = 0; texel < colors->GetNumberOfTuples(); ++texel)
+  {
+    for (int k = 0; k < 4 && exact[texel].w == 0.0; ++k, ++compared)
+    {
+      const double difference = GetArray(after, "Color")->GetComponent(texel, k) -
+        GetArray(coded, "Color")->GetComponent(texel, k);
+      squares += difference * difference;
+    }
+  }
+  CSLF_CHECK(compared > 10000 && std::sqrt(squares / static_cast<double>(compared)) < 4.0);
+}
+
+/// If all colours are exact, only the viewpoints that the encoder tries are asked for: the others
+/// may have anything.
+void TestAlone(const std::string& folder)
+{
+  const cslf::Layout grid(3, 32);
+  const Case file{ cslf::testing::MakeTestField(
+                     grid, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT),
+    MakeColoredSurfaces(2.0, 2.0), folder + "/alone.mp4" };
+  const std::vector<glm::dvec4> exact = PutExactColors(file, grid);
+  const std::vector<int> tried = cslf::GetTriedViewpoints(grid);
+  const auto texels = static_cast<vtkIdType>(grid.GetStripTexels());
+  for (int slice = 0; slice < grid.GetSlices(); ++slice)
+  {
+    const bool isTried = std::find(tried.begin(), tried.end(), slice) != tried.end();
+    for (vtkIdType texel = slice * texels; !isTried && texel < (slice + 1) * texels; ++texel)
+    {
+      GetArray(file.Field, "Color")->SetTuple4(texel, texel % 251, texel % 31, 7.0, 255.0);
+      GetArray(file.Field, "Depth")->SetTuple1(texel, static_cast<double>(texel % 65521));
+    }
+  }
+  const auto encoder = file.Write();
+  std::cout << "alone: " << encoder->GetActualSize() << " bytes\n";
+  CSLF_CHECK(encoder->GetActualColorFromGeometry() > 0.9);
+  CheckExact(file.Read(), exact);
 }
 
 /// Files with geometry whose depth is coded all the same.
@@ -327,7 +497,7 @@ void TestCovered(const std::string& folder)
   CSLF_CHECK(empty > 1000);
   CSLF_CHECK(file.Write()->GetActualDepthFromGeometry());
   const cslf::FileHeader header = file.ReadHeader();
-  CSLF_CHECK(header.Tracks.size() == 1 && header.HasGeometryDepth && !header.HasGeometryCoverage);
+  CSLF_CHECK(header.Tracks.size() == 1 && header.Computed.HasDepth && !header.Computed.HasCoverage);
   const auto field = file.Read();
   CheckDecoded(file.Field, field, false, 255.0);
   double sum = 0.0;
@@ -384,7 +554,7 @@ void TestCoveredMiddles(const std::string& folder)
   }
   CSLF_CHECK(file.Write()->GetActualDepthFromGeometry());
   const cslf::FileHeader header = file.ReadHeader();
-  CSLF_CHECK(header.Tracks.size() == 2 && header.HasGeometryDepth && !header.HasGeometryCoverage);
+  CSLF_CHECK(header.Tracks.size() == 2 && header.Computed.HasDepth && !header.Computed.HasCoverage);
   const auto field = file.Read();
   vtkIdType others = 0;
   for (vtkIdType k = 0; k < field->GetNumberOfPoints(); ++k)
@@ -434,7 +604,7 @@ void TestHeaders(const std::string& folder)
   const auto setComputed = [](const JSON& names)
   { return [names](JSON& json, Tags&) { json["coding"]["from_geometry"] = names; }; };
   CheckRefused(file, "unknown channel", setComputed({ "depth", "normals" }));
-  CheckRefused(file, "unknown channel", setComputed({ "color" }));
+  CheckRefused(file, "is not what it requires", setComputed({ "color" }));
   CheckRefused(file, "is not what it requires", setComputed({ "coverage" }));
   CheckRefused(file, "", setComputed("depth"));
   CheckRefused(file, "", setComputed({ 3 }));
@@ -464,6 +634,8 @@ int TestCSLFEncoderGeometryDepth(int argc, char* argv[])
   TestGaps();
   TestFile(folder, VTK_UNSIGNED_CHAR);
   TestFile(folder, VTK_FLOAT);
+  TestColors(folder);
+  TestAlone(folder);
   TestUnused(folder);
   TestCovered(folder);
   TestWires(folder);

@@ -178,7 +178,7 @@ bool FitsTracks(const FileHeader& header, KnownChannel id)
 {
   const auto has = [&](Plane plane) { return header.FindTrack({ id, plane }) != nullptr; };
   const bool hasByte = has(Plane::HighByte) || has(Plane::LowByte);
-  if (!header.Field.FindChannel(id) || (id == KnownChannel::Depth && header.HasGeometryDepth))
+  if (!header.Field.FindChannel(id) || (id == KnownChannel::Depth && header.Computed.HasDepth))
   {
     return !has(Plane::Numbers) && !hasByte;
   }
@@ -189,7 +189,7 @@ void CheckTracks(const FileHeader& header)
 {
   const bool fits = std::all_of(std::begin(KnownChannels), std::end(KnownChannels),
     [&](KnownChannel id) { return KindOf(id) != SampleKind::Number16 || FitsTracks(header, id); });
-  const bool hasTwoCoverages = header.HasGeometryCoverage && header.FindTrack(CoverageRole);
+  const bool hasTwoCoverages = header.Computed.HasCoverage && header.FindTrack(CoverageRole);
   const bool isFloat = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
   if (header.Tracks.empty() || !(header.Tracks.front().Kind.Role == ColorRole) || !fits ||
     hasTwoCoverages || header.Tracks.front().Kind.IsRadiance != isFloat)
@@ -326,19 +326,24 @@ void ReadComputed(const JSON& coding, bool isRequired, FileHeader& header)
     const auto role = RoleOfName(name.get<std::string>());
     const bool isDepth = role == std::make_optional(DepthRole);
     const bool isCoverage = role == std::make_optional(CoverageRole);
-    if (!isDepth && !isCoverage)
+    const bool isColor = role == std::make_optional(ColorRole);
+    if (!isDepth && !isCoverage && !isColor)
     {
       throw std::invalid_argument("it computes an unknown channel from its geometry");
     }
-    header.HasGeometryDepth = header.HasGeometryDepth || isDepth;
-    header.HasGeometryCoverage = header.HasGeometryCoverage || isCoverage;
+    header.Computed.HasDepth = header.Computed.HasDepth || isDepth;
+    header.Computed.HasCoverage = header.Computed.HasCoverage || isCoverage;
+    header.Computed.HasColor = header.Computed.HasColor || isColor;
   }
-  if (header.HasGeometryDepth != isRequired)
+  if (header.Computed.HasDepth != isRequired)
   {
     throw std::invalid_argument("what it computes from its geometry is not what it requires");
   }
+  const ComputedChannels& computed = header.Computed;
   const bool hasDepth = header.Field.FindChannel(KnownChannel::Depth) != nullptr;
-  if (header.HasGeometryDepth ? !hasDepth : header.HasGeometryCoverage)
+  const bool hasBytes = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
+  if ((computed.HasDepth ? !hasDepth : computed.HasCoverage) ||
+    (computed.HasColor && !(computed.HasDepth && hasBytes)))
   {
     throw std::invalid_argument("it computes other channels from its geometry than it has");
   }
@@ -499,14 +504,18 @@ HeaderTags FileHeader::ToTags() const
   {
     json[CodingKey][MissingKey] = MissingToJSON(this->Missing);
   }
-  if (this->HasGeometryDepth)
+  if (this->Computed.HasDepth)
   {
     json[RequiredKey] = JSON::array({ GeometryFeature });
     json[CodingKey][ComputedKey] = JSON::array({ NameOfRole(DepthRole) });
   }
-  if (this->HasGeometryCoverage)
+  if (this->Computed.HasCoverage)
   {
     json[CodingKey][ComputedKey].push_back(NameOfRole(CoverageRole));
+  }
+  if (this->Computed.HasColor)
+  {
+    json[CodingKey][ComputedKey].push_back(NameOfRole(ColorRole));
   }
   HeaderTags tags;
   if (!this->Parts.empty())

@@ -35,6 +35,14 @@ struct CodedStream
   int Track = -1; ///< the header's track, or -1 for a role that this version does not know
 };
 
+/// What readers compute from the geometry that is one of the parts.
+struct ComputedChannels
+{
+  bool HasDepth = false;
+  bool HasCoverage = false; ///< only together with depth
+  bool HasColor = false;    ///< where the geometry has it, only together with depth
+};
+
 struct FileHeader
 {
   Description Field;
@@ -45,9 +53,7 @@ struct FileHeader
   std::vector<int> Groups;  ///< the number of frames of each group
   std::vector<int> Missing; ///< the groups that an unfinished file does not contain yet, ascending
   std::vector<FilePart> Parts;
-  /// Whether readers compute depth, and also coverage, from the geometry that is one of the parts.
-  bool HasGeometryDepth = false;
-  bool HasGeometryCoverage = false;
+  ComputedChannels Computed;
   /// Warnings about a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;
 

@@ -5,9 +5,9 @@
 #include "Coding/Frames/cslfPushPull.h"
 #include "Coding/Frames/cslfRadianceFrames.h"
 #include "cslfColor.h"
-#include "cslfGeometryDepths.h"
 #include "cslfSameSurface.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace
 {
-constexpr unsigned short None = GeometryDepths::None;
+constexpr unsigned short None = GeometryTexels::None;
 
 /// The stored depth that means 1.
 constexpr double MaximumDepth = 65535.0;
@@ -65,17 +65,20 @@ std::vector<Texel> ListPlacesAround()
 class TileFit
 {
 public:
-  TileFit(int resolution, int tile, const std::vector<unsigned short>& depths, bool hasCoverage,
+  TileFit(int resolution, int tile, const DrawnTexels& drawn, bool hasCoverage,
     const ViewpointSamples& samples)
     : Resolution(resolution)
     , Number(tile)
     , HasCoverage(hasCoverage)
-    , Drawn(depths.data())
+    , IsFilled(hasCoverage || !drawn.Colors.empty())
+    , Drawn(drawn.Depths.data())
+    , Known(drawn.Colors.empty() ? nullptr : drawn.Colors.data())
     , Depths(samples.Get<unsigned short>(KnownChannel::Depth))
     , Bytes(samples.Get<unsigned char>(KnownChannel::Color))
     , Floats(samples.Get<float>(KnownChannel::Color))
     , Coverage(samples)
     , Planes(3, Patch(resolution))
+    , AreChanged(static_cast<std::size_t>(resolution) * resolution, hasCoverage ? 1 : 0)
   {
   }
 
@@ -90,7 +93,7 @@ public:
     }
     for (Patch& plane : this->Planes)
     {
-      if (this->HasCoverage)
+      if (this->IsFilled)
       {
         Fill(plane);
       }
@@ -198,7 +201,18 @@ private:
     }
     const bool isLost = isDrawn ? !isOwn && !color : hasSurface && !this->IsAtSilhouette(place);
     this->Result.Wrong += isLost || (isDrawn && this->IsTorn(place)) ? 1 : 0;
-    if (!color && this->HasCoverage && isDrawn && hasSurface)
+    if (this->Known && this->Known[texel].w > 0)
+    {
+      this->Compare(texel, isOwn);
+      this->SetChanged(place);
+      return;
+    }
+    if (color)
+    {
+      this->SetChanged(place);
+    }
+    else if (this->HasCoverage ? isDrawn && hasSurface
+                               : this->IsFilled && this->Coverage.GetCoverage(texel) > 0)
     {
       color = this->GetColor(texel);
     }
@@ -206,6 +220,24 @@ private:
     {
       this->Put(place, *color);
     }
+  }
+
+  /// A texel whose colour is the geometry's.
+  void Compare(std::size_t texel, bool isOwn)
+  {
+    ++this->Result.Colored;
+    if (isOwn)
+    {
+      ++this->Result.Compared;
+      const glm::dvec3 difference =
+        glm::dvec3(this->GetColor(texel)) - glm::dvec3(this->Known[texel]);
+      this->Result.ColorSquares += glm::dot(difference, difference) / (255.0 * 255.0);
+    }
+  }
+
+  void SetChanged(const Texel& place)
+  {
+    this->AreChanged[this->Planes[0].IndexOf(place.X, place.Y)] = 1;
   }
 
   /// The mean light of the nearest texels on the surface that the geometry has here.
@@ -273,7 +305,7 @@ private:
       for (int x = 0; x < this->Resolution; ++x)
       {
         const std::size_t place = this->Planes[0].IndexOf(x, y);
-        if (this->HasCoverage || this->Planes[0].Weights[place] > 0.0F)
+        if (this->AreChanged[place] != 0)
         {
           this->Floats ? this->Write(this->IndexOf({ x, y }), place, 1.0F, this->Floats)
                        : this->Write(this->IndexOf({ x, y }), place, 255.0F, this->Bytes);
@@ -302,60 +334,69 @@ private:
   int Resolution;
   int Number;
   bool HasCoverage;
+  bool IsFilled; ///< whether colours without a meaning continue those around
   const unsigned short* Drawn;
+  const DrawnTexels::Color* Known;
   const unsigned short* Depths;
   unsigned char* Bytes;
   float* Floats;
   ColorTexels Coverage;
   std::vector<Patch> Planes; ///< red, green, blue
+  std::vector<char> AreChanged;
   GeometryFit Result;
 };
 
 template <typename Component>
-void Apply(
-  std::size_t texels, bool hasCoverage, Component full, unsigned short* depths, Component* colors)
+void Apply(const DrawnTexels& drawn, bool hasCoverage, Component full, Component* colors,
+  unsigned short* depths)
 {
-  for (std::size_t texel = 0; texel < texels; ++texel)
+  for (std::size_t texel = 0; texel < drawn.Depths.size(); ++texel)
   {
     Component* color = colors + 4 * texel;
-    if (!hasCoverage)
+    const bool isCovered = hasCoverage ? drawn.Depths[texel] < None : color[3] > Component(0);
+    depths[texel] = isCovered ? drawn.Depths[texel] : None;
+    if (hasCoverage)
     {
-      depths[texel] = color[3] > Component(0) ? depths[texel] : None;
+      color[3] = isCovered ? full : Component(0);
     }
-    else if (depths[texel] < None)
+    if (!isCovered)
     {
-      color[3] = full;
+      std::fill_n(color, 3, Component(0));
     }
-    else
+    else if (!drawn.Colors.empty() && drawn.Colors[texel].w > 0)
     {
-      std::fill_n(color, 4, Component(0));
+      const int alpha = static_cast<int>(color[3]); // only bytes have such colours
+      for (int k = 0; k < 3; ++k)
+      {
+        color[k] = static_cast<Component>((2 * alpha * drawn.Colors[texel][k] + 255) / 510);
+      }
     }
   }
 }
 }
 
-GeometryFit FitToGeometry(int resolution, const std::vector<unsigned short>& depths,
-  bool hasCoverage, const ViewpointSamples& samples)
+GeometryFit FitToGeometry(
+  int resolution, const DrawnTexels& drawn, bool hasCoverage, const ViewpointSamples& samples)
 {
   GeometryFit fit;
   for (int tile = 0; tile < TileCount; ++tile)
   {
-    fit += TileFit(resolution, tile, depths, hasCoverage, samples).Fit();
+    fit += TileFit(resolution, tile, drawn, hasCoverage, samples).Fit();
   }
   return fit;
 }
 
-void ApplyGeometry(std::size_t texels, bool hasCoverage, const ViewpointSamples& samples)
+void ApplyGeometry(const DrawnTexels& drawn, bool hasCoverage, const ViewpointSamples& samples)
 {
   auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
   if (auto* floats = samples.Get<float>(KnownChannel::Color))
   {
-    Apply(texels, hasCoverage, 1.0F, depths, floats);
+    Apply(drawn, hasCoverage, 1.0F, floats, depths);
   }
   else
   {
-    Apply(texels, hasCoverage, static_cast<unsigned char>(255), depths,
-      samples.Get<unsigned char>(KnownChannel::Color));
+    Apply(drawn, hasCoverage, static_cast<unsigned char>(255),
+      samples.Get<unsigned char>(KnownChannel::Color), depths);
   }
 }
 }

@@ -32,16 +32,16 @@ std::size_t GetGroupsAtOnce(const FileHeader& header)
     std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 }
 
-/// What the file's geometry says about depth. Null if the geometry is missing, damaged or too
+/// What viewpoints see of the file's geometry. Null if the geometry is missing, damaged or too
 /// large.
-std::unique_ptr<GeometryDepths> ReadDepths(const FileHeader& header)
+std::unique_ptr<GeometryTexels> ReadTexels(const FileHeader& header)
 {
   const FilePart* part = header.FindGeometry();
   std::string ignored;
   const auto geometry = part ? DecodeGeometry(part->Bytes, header.Field.Box, ignored) : nullptr;
   return geometry &&
-      static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MaximumTriangles
-    ? std::make_unique<GeometryDepths>(geometry, header.Field.Box, header.Field.Grid)
+      static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryTexels::MaximumTriangles
+    ? std::make_unique<GeometryTexels>(geometry, header.Field.Box, header.Field.Grid)
     : nullptr;
 }
 }
@@ -190,12 +190,12 @@ std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, Open
       return nullptr;
     }
   }
-  std::unique_ptr<GeometryDepths> depths;
-  if (container->GetHeader().HasGeometryDepth)
+  std::unique_ptr<GeometryTexels> texels;
+  if (container->GetHeader().Computed.HasDepth)
   {
     try
     {
-      depths = ReadDepths(container->GetHeader());
+      texels = ReadTexels(container->GetHeader());
     }
     catch (const std::bad_alloc&)
     {
@@ -203,19 +203,19 @@ std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, Open
         "there is not enough memory for its geometry" };
       return nullptr;
     }
-    if (!depths)
+    if (!texels)
     {
       failure = { vtkErrorCode::FileFormatError,
         "the geometry from which its depth is computed is missing or damaged" };
       return nullptr;
     }
   }
-  return std::make_unique<FieldReader>(std::move(container), std::move(depths));
+  return std::make_unique<FieldReader>(std::move(container), std::move(texels));
 }
 
 FieldReader::FieldReader(
-  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths)
-  : Decoder(std::move(container), std::move(depths))
+  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryTexels> texels)
+  : Decoder(std::move(container), std::move(texels))
   , Store(this->Decoder)
 {
 }

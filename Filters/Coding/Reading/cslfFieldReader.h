@@ -28,7 +28,7 @@ public:
   static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenError& failure);
 
   /// See GroupDecoder.
-  FieldReader(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths);
+  FieldReader(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryTexels> texels);
 
   const FileHeader& GetHeader() const { return this->Decoder.GetHeader(); }
 

@@ -12,9 +12,9 @@
 namespace cslf
 {
 GroupDecoder::GroupDecoder(
-  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths)
+  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryTexels> texels)
   : Container(std::move(container))
-  , Depths(std::move(depths))
+  , Texels(std::move(texels))
   , GroupStarts(this->GetHeader().GetGroupStarts())
   , Idle(this->GetHeader().Tracks.size())
   , Conditions(this->GetHeader().Groups.size(), Condition::Unknown)
@@ -258,16 +258,17 @@ bool GroupDecoder::Compute(const GroupRequest& request, int place) const
 {
   const FileHeader& header = this->GetHeader();
   const ViewpointSamples& slice = request.Slices[place];
-  if (this->Depths &&
-    !this->Depths->Draw(header.Slices[this->GroupStarts[request.Group] + place],
-      slice.Get<unsigned short>(KnownChannel::Depth), this->IsStopped))
+  if (!this->Texels)
+  {
+    return true;
+  }
+  DrawnTexels drawn(header.Field.Grid.GetStripTexels(), header.Computed.HasColor);
+  if (!this->Texels->Draw(
+        header.Slices[this->GroupStarts[request.Group] + place], drawn, this->IsStopped))
   {
     return false;
   }
-  if (this->Depths)
-  {
-    ApplyGeometry(header.Field.Grid.GetStripTexels(), header.HasGeometryCoverage, slice);
-  }
+  ApplyGeometry(drawn, header.Computed.HasCoverage, slice);
   return true;
 }
 

@@ -9,7 +9,7 @@
 
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Frames/cslfFrameConverter.h"
-#include "Coding/Geometry/cslfGeometryDepths.h"
+#include "Coding/Geometry/cslfGeometryTexels.h"
 #include "Coding/Groups/cslfTrackDecoder.h"
 
 #include <atomic>
@@ -32,7 +32,7 @@ class GroupDecoder
 {
 public:
   /// The depths are those of the file's geometry, null unless its header asks for them.
-  GroupDecoder(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths);
+  GroupDecoder(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryTexels> texels);
 
   const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
   int GetNumberOfGroups() const { return static_cast<int>(this->GetHeader().Groups.size()); }
@@ -95,7 +95,7 @@ private:
   void Clear(const GroupRequest& request) const;
 
   std::unique_ptr<ContainerReader> Container;
-  std::unique_ptr<const GeometryDepths> Depths;
+  std::unique_ptr<const GeometryTexels> Texels;
   std::vector<int> GroupStarts;
   std::mutex ContainerMutex; ///< while packets are read
   std::mutex IdleMutex;

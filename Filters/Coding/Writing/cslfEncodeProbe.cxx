@@ -102,15 +102,24 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   {
     return false;
   }
-  costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
   const std::clock_t middle = std::clock();
-  // The samples themselves are asked for afterwards.
-  const std::vector<ViewpointSamples> fitted = this->GetComputed().HasDepth
-    ? CopySamples(this->Input->GetField(), this->Input->GetSlices())
-    : this->Input->GetSlices();
-  GeometryFit ignored;
-  this->Plan.Fit(this->Writer->GetSlices(groups), fitted, GoOn, ignored);
-  costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
+  std::vector<ViewpointSamples> fitted;
+  if (this->Plan.TellsAll())
+  {
+    // The encoder will ask for none.
+    fitted = MakeBlankSamples(this->Input->GetField(), this->Input->GetSlices().size());
+  }
+  else
+  {
+    costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
+    costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
+    // The samples themselves are asked for afterwards.
+    fitted = this->GetComputed().HasDepth
+      ? CopySamples(this->Input->GetField(), this->Input->GetSlices())
+      : this->Input->GetSlices();
+    GeometryFit ignored;
+    this->Plan.Fit(this->Writer->GetSlices(groups), fitted, GoOn, ignored);
+  }
   std::vector<CodingTask> tasks;
   tasks.reserve(groups.size());
   for (int group : groups)

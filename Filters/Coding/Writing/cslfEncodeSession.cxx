@@ -248,7 +248,8 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     this->Try([this] { return this->TryGeometry(); });
   }
   const ComputedChannels& chosen = this->Plan.GetComputed();
-  int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0);
+  int choice =
+    (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0) + (chosen.HasColor ? 4 : 0);
   if (!this->Agree({}, &choice))
   {
     return false;
@@ -263,8 +264,8 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     BroadcastText(this->Job.Controller, text, 0);
     if (this->Peers.GetRank() != 0)
     {
-      this->Plan = GeometryPlan(
-        { text.begin(), text.end() }, this->Input->GetField(), { true, (choice & 2) != 0 });
+      this->Plan = GeometryPlan({ text.begin(), text.end() }, this->Input->GetField(),
+        { true, (choice & 2) != 0, (choice & 4) != 0 });
     }
   }
   return true;
@@ -515,7 +516,8 @@ bool EncodeSession::FinishFile()
     static_cast<double>(std::filesystem::file_size(ToPath(this->Job.FileName), ignored));
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
     this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR,
-    this->Plan.GetComputed().HasDepth, this->Plan.GetLoss() };
+    this->Plan.GetComputed().HasDepth, this->Plan.GetFit().GetLoss(),
+    this->Plan.GetComputed().HasColor ? this->Plan.GetFit().GetColorShare() : 0.0 };
   return true;
 }
 
@@ -600,6 +602,11 @@ bool EncodeSession::GatherSlices(
     {
       pulled.push_back(task.Group);
     }
+  }
+  if (this->Plan.TellsAll())
+  {
+    slices = MakeBlankSamples(this->Input->GetField(), this->Writer->GetSlices(pulled).size());
+    return true;
   }
   std::string error;
   if (!this->Input->Read(this->Writer->GetSlices(pulled), error))

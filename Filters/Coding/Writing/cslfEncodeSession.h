@@ -70,7 +70,11 @@ struct EncodeOutcome
   int KeyViewStep = 1;
   double NovelViewPSNR = 0.0; ///< where it chose the step
   bool ComputesDepth = false; ///< readers do, from the geometry
-  double GeometryLoss = 0.0;  ///< of the viewpoints that were tried
+  ///@{
+  /// Of the viewpoints that were tried.
+  double GeometryLoss = 0.0;
+  double ColorShare = 0.0;
+  ///@}
 };
 
 class EncodeSession

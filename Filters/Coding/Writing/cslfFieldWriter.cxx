@@ -76,8 +76,7 @@ void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const 
     }
   }
   const ComputedChannels& computed = plan.GetComputed();
-  this->Header.HasGeometryDepth = computed.HasDepth;
-  this->Header.HasGeometryCoverage = computed.HasCoverage;
+  this->Header.Computed = computed;
   std::vector<TrackRole> roles;
   if (computed.HasDepth)
   {
@@ -101,10 +100,13 @@ void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const 
 std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 4 }, { "cslf", CSLF_VERSION },
+  const nlohmann::json manifest = { { "version", 5 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
-    { "description", this->Header.Field.ToJSON() }, { "sample", checksum },
-    { "geometry", plan.GetChecksum() }, { "computes_coverage", plan.GetComputed().HasCoverage },
+    { "description", this->Header.Field.ToJSON() },
+    { "measured",
+      { { "sample", checksum }, { "geometry", plan.GetChecksum() },
+        { "computes_coverage", plan.GetComputed().HasCoverage },
+        { "computes_color", plan.GetComputed().HasColor } } },
     { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
     { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },

@@ -53,11 +53,13 @@ GeometryPlan::GeometryPlan(
     bytes.empty() || !computed.HasDepth ? nullptr : DecodeGeometry(bytes, field.Box, ignored);
   // What a geometry of the opaque surfaces lacks is only in the depth.
   if (geometry && !IsOpaqueGeometry(geometry) &&
-    static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MaximumTriangles)
+    static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryTexels::MaximumTriangles)
   {
     // As readers get it, with positions that are rounded.
-    this->Depths.emplace(geometry, field.Box, field.Grid);
+    this->Texels.emplace(geometry, field.Box, field.Grid);
     this->Computed = computed;
+    this->Computed.HasColor = computed.HasColor && this->Texels->HasColors() &&
+      field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
     this->Checksum =
       static_cast<std::uint32_t>(crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
   }
@@ -73,8 +75,9 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   computed.HasCoverage = computed.HasDepth &&
     !std::all_of(samples.begin(), samples.end(),
       [texels](const ViewpointSamples& viewpoint) { return IsCovered(viewpoint, texels); });
+  computed.HasColor = computed.HasDepth;
   GeometryPlan plan(bytes, field, computed);
-  if (!plan.Depths)
+  if (!plan.Texels)
   {
     return plan;
   }
@@ -82,7 +85,9 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   const bool isDone = plan.Fit(slices, samples, progress, fit);
   plan =
     isDone && fit.Texels > 0 && fit.GetLoss() <= MaximumLoss ? std::move(plan) : GeometryPlan();
-  plan.Loss = fit.GetLoss();
+  plan.Computed.HasColor =
+    plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
+  plan.Tried = fit;
   return plan;
 }
 
@@ -90,16 +95,17 @@ bool GeometryPlan::Fit(const std::vector<int>& slices, const std::vector<Viewpoi
   const Progress& progress, GeometryFit& fit) const
 {
   std::mutex mutex;
-  return ParallelFor(0, this->Depths ? static_cast<vtkIdType>(slices.size()) : 0, progress,
+  return ParallelFor(0, this->Texels ? static_cast<vtkIdType>(slices.size()) : 0, progress,
     [&](vtkIdType begin, vtkIdType end)
     {
       const std::atomic<bool> isStopped{ false };
-      std::vector<unsigned short> depths(this->Depths->GetGrid().GetStripTexels());
+      const Layout& grid = this->Texels->GetGrid();
+      DrawnTexels drawn(grid.GetStripTexels(), this->Computed.HasColor);
       for (vtkIdType k = begin; k < end; ++k)
       {
-        this->Depths->Draw(slices[k], depths.data(), isStopped);
-        const GeometryFit one = FitToGeometry(
-          this->Depths->GetGrid().GetResolution(), depths, this->Computed.HasCoverage, samples[k]);
+        this->Texels->Draw(slices[k], drawn, isStopped);
+        const GeometryFit one =
+          FitToGeometry(grid.GetResolution(), drawn, this->Computed.HasCoverage, samples[k]);
         const std::lock_guard<std::mutex> lock(mutex);
         fit += one;
       }

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What readers of a file will compute from its geometry, so that it is not coded: depth and
- * coverage. Viewpoints are made to fit before they are coded.
+ * What readers of a file will compute from its geometry, so that it is not coded: depth, coverage
+ * and the colours that the geometry has. Viewpoints are made to fit before they are coded.
  */
 #ifndef cslfGeometryPlan_h
 #define cslfGeometryPlan_h
 
-#include "Coding/Geometry/cslfGeometryDepths.h"
+#include "Coding/Containers/cslfFileHeader.h"
 #include "Coding/Geometry/cslfGeometryFit.h"
+#include "Coding/Geometry/cslfGeometryTexels.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfDescription.h"
+#include "vtkCSLFModule.h" // for export macro
 
 #include <cstdint>
 #include <optional>
@@ -19,21 +21,17 @@
 
 namespace cslf
 {
-/// What of a field is computed.
-struct ComputedChannels
-{
-  bool HasDepth = false;
-  bool HasCoverage = false; ///< only together with depth
-};
-
 /// Some viewpoints that show how well a geometry fits: the middle one of each face.
-std::vector<int> GetTriedViewpoints(const Layout& grid);
+VTKCSLF_EXPORT std::vector<int> GetTriedViewpoints(const Layout& grid);
 
 class GeometryPlan
 {
 public:
   /// The largest loss of viewpoints (GeometryFit::GetLoss) with which a geometry is used.
   static constexpr double MaximumLoss = 0.05;
+
+  /// The largest error of colours (GeometryFit::GetColorError) with which they are the geometry's.
+  static constexpr double MaximumColorError = 8.0 / 255.0;
 
   /// Nothing is computed.
   GeometryPlan() = default;
@@ -50,8 +48,14 @@ public:
 
   const ComputedChannels& GetComputed() const { return this->Computed; }
 
-  /// Of the viewpoints that Choose got, from 0 to 1.
-  double GetLoss() const { return this->Loss; }
+  /// Whether readers compute all texels, so that no viewpoint is needed for coding.
+  bool TellsAll() const
+  {
+    return this->Computed.HasCoverage && this->Computed.HasColor && this->Texels->AreAllExact();
+  }
+
+  /// Of the viewpoints that Choose got.
+  const GeometryFit& GetFit() const { return this->Tried; }
 
   /// A number that differs with the geometry, 0 without one.
   std::uint32_t GetChecksum() const { return this->Checksum; }
@@ -61,9 +65,9 @@ public:
     const Progress& progress, GeometryFit& fit) const;
 
 private:
-  std::optional<GeometryDepths> Depths;
+  std::optional<GeometryTexels> Texels;
   ComputedChannels Computed;
-  double Loss = 0.0;
+  GeometryFit Tried;
   std::uint32_t Checksum = 0;
 };
 }

@@ -32,6 +32,9 @@ constexpr float SampleArea = 2.0f;
 constexpr int MinimumSamples = 4;
 constexpr int MaximumSamples = 256;
 
+/// How little samples weigh that nobody sees, beside others.
+constexpr float HiddenWeight = 1e-3f;
+
 /// How often triangles are divided, and the shortest edge that is divided, in texels.
 constexpr int MaximumRounds = 12;
 constexpr float ShortestTexels = 2.0f;
@@ -127,14 +130,22 @@ public:
   TriangleSamples Sample(const SurfaceMesh& mesh, const glm::uvec3& corners) const;
 
 private:
-  bool FindColor(const Aim& aim, glm::vec3& color) const;
+  /// What is known of the light of a surface.
+  enum class Light
+  {
+    Known,
+    Missing, ///< it hardly gets any, so that little of it is seen
+    Unknown
+  };
+
+  Light FindColor(const Aim& aim, glm::vec3& color) const;
 
   const Scene& World;
   const StoredLight* Stored;
   SurfaceLightSettings Settings;
 };
 
-bool LightSampler::FindColor(const Aim& aim, glm::vec3& color) const
+LightSampler::Light LightSampler::FindColor(const Aim& aim, glm::vec3& color) const
 {
   const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
   glm::vec3 radiance;
@@ -143,15 +154,19 @@ bool LightSampler::FindColor(const Aim& aim, glm::vec3& color) const
     radiance = mesh.GetEmission(aim.Target.GetPlace());
   }
   else if (this->Stored && this->Stored->IsComplete() && mesh.Material.IsLambertian() &&
-    mesh.CanHoldLattice() && this->Stored->Covers(aim.Target))
+    mesh.CanHoldLattice())
   {
+    if (!this->Stored->Covers(aim.Target))
+    {
+      return Light::Missing;
+    }
     radiance = this->World.GetBaseColor(aim.Target) * this->Stored->Get(aim.Target) +
       mesh.GetEmission(aim.Target.GetPlace());
   }
   else if (!this->Stored || !this->Stored->LookUpShape(aim.Path, aim.Target, radiance))
   {
     // Rough surfaces look different from elsewhere, even if their light is stored.
-    return false;
+    return Light::Unknown;
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -160,7 +175,7 @@ bool LightSampler::FindColor(const Aim& aim, glm::vec3& color) const
         ? LinearToSRGB(exposed)
         : 1.055 * std::pow(exposed, 1.0 / 2.4) - 0.055);
   }
-  return std::isfinite(color.x + color.y + color.z);
+  return std::isfinite(color.x + color.y + color.z) ? Light::Known : Light::Unknown;
 }
 
 TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& corners) const
@@ -180,8 +195,6 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   const int count = static_cast<int>(std::clamp(std::ceil(samples.Area / SampleArea),
     static_cast<float>(MinimumSamples), static_cast<float>(MaximumSamples)));
   int votes = 0;
-  int missed[2] = { 0, 0 };
-  int counted[2] = { 0, 0 };
   for (int i = 0; i < count; ++i)
   {
     auto u = static_cast<float>(RobertsNumber(i, 0));
@@ -198,17 +211,16 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
     {
       const Aim& aim = aims[side];
       glm::vec3 color;
-      const bool isKnown = aim.IsMet && this->FindColor(aim, color);
-      missed[side] += aim.IsMet ? 0 : 1;
-      if (!isKnown)
+      // What is not met may be missing from the scene, or hidden.
+      const Light light = aim.IsMet ? this->FindColor(aim, color) : Light::Missing;
+      if (light == Light::Known)
       {
-        // It may be hidden, which is not asked.
-        samples.AreComplete[side] = samples.AreComplete[side] && !aim.IsMet;
+        const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
+        samples.Sides[side].Add(place, color, weight * samples.Area / static_cast<float>(count));
       }
-      else if (IsSeen(this->World, aim.Path))
+      else if (light == Light::Unknown && samples.AreComplete[side])
       {
-        ++counted[side];
-        samples.Sides[side].Add(place, color, samples.Area / static_cast<float>(count));
+        samples.AreComplete[side] = !IsSeen(this->World, aim.Path);
       }
       if (aim.IsMet)
       {
@@ -220,8 +232,7 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   }
   for (const int side : { 0, 1 })
   {
-    samples.AreComplete[side] = samples.AreComplete[side] && counted[side] >= 3 &&
-      counted[side] >= missed[side] && samples.Area <= SampleArea * count;
+    samples.AreComplete[side] = samples.AreComplete[side] && samples.Area <= SampleArea * count;
   }
   return samples;
 }
