@@ -58,7 +58,8 @@ public:
    * Set/get the target ratio of the raw colours, 3 bytes per texel, to the file with all tracks and
    * the container. The rate factors are chosen accordingly; the ratio is met within 3 %. 0 means no
    * such target. Only one of the three targets may be set, and none together with the encoder's
-   * Lossless. If a target cannot be met, an error states what can. Range: 0 to 1e9. Default: 0.
+   * Lossless. Fewer bytes will do if these are of the best quality. If a target cannot be met
+   * otherwise, an error states what can. Range: 0 to 1e9. Default: 0.
    */
   void SetTargetRatio(double ratio);
   vtkGetMacro(TargetRatio, double);

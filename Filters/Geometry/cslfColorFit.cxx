@@ -250,6 +250,13 @@ double ColorFit::FindError(std::size_t triangle, int side) const
   return this->Samples[triangle].Sides[side].GetError(own) / 3.0;
 }
 
+// Whether the colours of a triangle vary more than a number of tolerances, however they are lit.
+bool ColorFit::HasDetail(std::size_t triangle, double tolerances) const
+{
+  const double tolerance = tolerances * this->Settings.DetailTolerance;
+  return this->Samples[triangle].Detail / 3.0 > tolerance * tolerance * this->Samples[triangle].Area;
+}
+
 float ColorFit::FindLength(std::size_t triangle, int edge) const
 {
   const glm::uvec3& corners = this->Surface.Triangles[triangle];
@@ -270,12 +277,12 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
-    double error = 0.0;
+    double error = this->Samples[i].Detail / 3.0;
     for (const int side : { 0, 1 })
     {
       error = std::max(error, this->FindError(i, side));
     }
-    if (error > tolerance * this->Samples[i].Area)
+    if (error > tolerance * this->Samples[i].Area || this->HasDetail(i, 1.0))
     {
       candidates.push_back({ error, i });
     }
@@ -423,7 +430,10 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
 {
   const double most = std::pow(ExactTolerances * this->Settings.Tolerance, 2.0);
   const auto errs = [&](std::size_t triangle, int side)
-  { return this->FindError(triangle, side) > most * this->Samples[triangle].Area; };
+  {
+    return this->FindError(triangle, side) > most * this->Samples[triangle].Area ||
+      this->HasDetail(triangle, ExactTolerances);
+  };
   bool areComplete = true;
   double all = 0.0;
   double known = 0.0;

@@ -14,6 +14,8 @@
 #include "cslfSurfaceMesh.h"
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -85,6 +87,23 @@ struct SampleSums
     }
     return std::max(error, 0.0);
   }
+
+  /// The same for the colours of a triangle that fit its samples best.
+  double GetLeastError() const
+  {
+    const float* s = this->Squares;
+    const double smooth = 1e-6 * this->Weight;
+    const glm::dmat3 matrix(s[0] + smooth, s[3], s[5], s[3], s[1] + smooth, s[4], s[5], s[4],
+      s[2] + smooth);
+    const glm::dmat3 inverse = glm::inverse(matrix);
+    double error = this->Energy;
+    for (int c = 0; c < 3; ++c)
+    {
+      const glm::dvec3 products(this->Products[0][c], this->Products[1][c], this->Products[2][c]);
+      error -= glm::dot(products, inverse * products);
+    }
+    return this->Weight > 0.0f ? std::max(error, 0.0) : 0.0;
+  }
 };
 
 /// A triangle's samples.
@@ -96,6 +115,7 @@ struct TriangleSamples
   bool AreComplete[2] = { true, true }; ///< whether the samples of a side suffice to judge it
   glm::vec3 Normal{ 0.0f };
   float Area = 0.0f;         ///< 0 if it has none
+  double Detail = 0.0;       ///< GetLeastError of the colours under white light, of either side
   bool IsRound = false;      ///< whether what it belongs to has no creases
   std::uint32_t Body = None; ///< what it belongs to
 };
@@ -106,6 +126,8 @@ struct ColorFitSettings
   bool ClampsColors = true;  ///< whether colours end at 1
   bool HasCreases = true;    ///< whether angles between triangles are those of what was sampled
   double Tolerance = 0.0;    ///< the RMS error of a triangle that is small enough
+  /// The same for what best fits its detail: the colours may be better known than their light.
+  double DetailTolerance = 0.0;
   std::size_t MaximumTriangles = 0;
 };
 
@@ -151,6 +173,7 @@ private:
   std::vector<std::uint64_t> ChooseEdges() const;
   void LimitEdges(std::vector<std::uint64_t>& edges) const;
   double FindError(std::size_t triangle, int side) const;
+  bool HasDetail(std::size_t triangle, double tolerances) const;
   float FindLength(std::size_t triangle, int edge) const;
   std::array<std::vector<char>, 2> FindExact() const;
 

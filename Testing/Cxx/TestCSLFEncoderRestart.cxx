@@ -175,7 +175,7 @@ void TestManifest(vtkImageData* field, const Remains& remains, const std::string
   const std::vector<char>& expected)
 {
   const auto manifest = nlohmann::json::parse(ReadBytes(remains.Kept + "/manifest.json"));
-  for (const char* name : { "cslf", "ffmpeg", "description", "sample" })
+  for (const char* name : { "cslf", "ffmpeg", "description", "measured" })
   {
     CSLF_CHECK(manifest.contains(name));
   }

@@ -215,8 +215,9 @@ bool RateControl::IsReached(double level) const
   const double goal = this->GetGoal();
   const double tolerance =
     this->Target.Kind == RateTarget::Kinds::PSNR ? ErrorTolerance : BytesTolerance;
+  // At the limits, fewer bytes or a smaller error will do.
   return (level > MinimumFactor && level < MaximumFactor) ||
-    std::abs(this->Model.Predict(level) - goal) <= tolerance * goal;
+    this->Model.Predict(level) <= (1.0 + tolerance) * goal;
 }
 
 std::string RateControl::DescribeReach(double level) const

@@ -35,6 +35,9 @@ constexpr int MaximumSamples = 256;
 /// How little samples weigh that nobody sees, beside others.
 constexpr float HiddenWeight = 1e-3f;
 
+/// The largest tolerance of colours whose light is rough.
+constexpr double DetailTolerance = 1.0 / 128.0;
+
 /// How often triangles are divided, and the shortest edge that is divided, in texels.
 constexpr int MaximumRounds = 12;
 constexpr float ShortestTexels = 2.0f;
@@ -138,20 +141,25 @@ private:
     Unknown
   };
 
-  Light FindColor(const Aim& aim, glm::vec3& color) const;
+  Light FindColor(const Aim& aim, glm::vec3& color, glm::vec3& detail) const;
+  glm::vec3 Encode(const glm::vec3& radiance) const;
 
   const Scene& World;
   const StoredLight* Stored;
   SurfaceLightSettings Settings;
 };
 
-LightSampler::Light LightSampler::FindColor(const Aim& aim, glm::vec3& color) const
+// A colour, and what it is under white light, for comparison with that around it.
+LightSampler::Light LightSampler::FindColor(
+  const Aim& aim, glm::vec3& color, glm::vec3& detail) const
 {
   const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
   glm::vec3 radiance;
+  glm::vec3 white(0.0f);
   if (OnlyEmits(mesh))
   {
     radiance = mesh.GetEmission(aim.Target.GetPlace());
+    white = radiance;
   }
   else if (this->Stored && this->Stored->IsComplete() && mesh.Material.IsLambertian() &&
     mesh.CanHoldLattice())
@@ -160,14 +168,23 @@ LightSampler::Light LightSampler::FindColor(const Aim& aim, glm::vec3& color) co
     {
       return Light::Missing;
     }
-    radiance = this->World.GetBaseColor(aim.Target) * this->Stored->Get(aim.Target) +
-      mesh.GetEmission(aim.Target.GetPlace());
+    const glm::vec3 emission = mesh.GetEmission(aim.Target.GetPlace());
+    white = this->World.GetBaseColor(aim.Target);
+    radiance = white * this->Stored->Get(aim.Target) + emission;
   }
   else if (!this->Stored || !this->Stored->LookUpShape(aim.Path, aim.Target, radiance))
   {
     // Rough surfaces look different from elsewhere, even if their light is stored.
     return Light::Unknown;
   }
+  color = this->Encode(radiance);
+  detail = glm::vec3(LinearToSRGB(glm::dvec3(white)));
+  return std::isfinite(color.x + color.y + color.z) ? Light::Known : Light::Unknown;
+}
+
+glm::vec3 LightSampler::Encode(const glm::vec3& radiance) const
+{
+  glm::vec3 color;
   for (int i = 0; i < 3; ++i)
   {
     const double exposed = this->Settings.Exposure * radiance[i];
@@ -175,7 +192,7 @@ LightSampler::Light LightSampler::FindColor(const Aim& aim, glm::vec3& color) co
         ? LinearToSRGB(exposed)
         : 1.055 * std::pow(exposed, 1.0 / 2.4) - 0.055);
   }
-  return std::isfinite(color.x + color.y + color.z) ? Light::Known : Light::Unknown;
+  return color;
 }
 
 TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& corners) const
@@ -195,6 +212,7 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   const int count = static_cast<int>(std::clamp(std::ceil(samples.Area / SampleArea),
     static_cast<float>(MinimumSamples), static_cast<float>(MaximumSamples)));
   int votes = 0;
+  SampleSums details[2];
   for (int i = 0; i < count; ++i)
   {
     auto u = static_cast<float>(RobertsNumber(i, 0));
@@ -211,12 +229,15 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
     {
       const Aim& aim = aims[side];
       glm::vec3 color;
+      glm::vec3 detail;
       // What is not met may be missing from the scene, or hidden.
-      const Light light = aim.IsMet ? this->FindColor(aim, color) : Light::Missing;
+      const Light light = aim.IsMet ? this->FindColor(aim, color, detail) : Light::Missing;
       if (light == Light::Known)
       {
         const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
-        samples.Sides[side].Add(place, color, weight * samples.Area / static_cast<float>(count));
+        const float area = weight * samples.Area / static_cast<float>(count);
+        samples.Sides[side].Add(place, color, area);
+        details[side].Add(place, detail, area);
       }
       else if (light == Light::Unknown && samples.AreComplete[side])
       {
@@ -232,6 +253,7 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   }
   for (const int side : { 0, 1 })
   {
+    samples.Detail = std::max(samples.Detail, details[side].GetLeastError());
     samples.AreComplete[side] = samples.AreComplete[side] && samples.Area <= SampleArea * count;
   }
   return samples;
@@ -249,7 +271,8 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   const LightSampler sampler(scene, light, settings);
   ColorFit fit(mesh,
     { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
-      settings.Tolerance, settings.MaximumTriangles });
+      settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
+      settings.MaximumTriangles });
   const auto sample = [&](const Progress& part)
   {
     const std::vector<std::size_t> triangles = fit.ListNew();
