@@ -54,9 +54,9 @@ public:
   /// memory become outdated if it changes, because what they see elsewhere is not known then.
   void SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces);
 
-  /// Uploads the samples that these cameras can use, if there are any, to the window's graphics memory. Those that
-  /// `recent` cameras have used stay if all of them fit. On failure nothing is kept and `error`
-  /// gives the reason in one line.
+  /// Uploads the samples that these cameras can use, if there are any, to the window's graphics
+  /// memory. Those that `recent` cameras have used stay if all of them fit. On failure nothing is
+  /// kept and `error` gives the reason in one line.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
     const std::vector<ViewFrustum>& recent, const TexturePace& pace, std::string& error);
 

@@ -201,8 +201,7 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   using Frustums = std::vector<cslf::ViewFrustum>;
   const auto update = [&]
   {
-    return this->Texture.Update(window,
-      isAlone ? Frustums() : this->Views.GetExpectedFrustums(),
+    return this->Texture.Update(window, isAlone ? Frustums() : this->Views.GetExpectedFrustums(),
       isAlone ? Frustums() : this->Views.GetFrustums(), pace, error);
   };
   // The driver compiles the lookup's programs at the first drawing. A small hidden picture triggers

@@ -254,7 +254,8 @@ double ColorFit::FindError(std::size_t triangle, int side) const
 bool ColorFit::HasDetail(std::size_t triangle, double tolerances) const
 {
   const double tolerance = tolerances * this->Settings.DetailTolerance;
-  return this->Samples[triangle].Detail / 3.0 > tolerance * tolerance * this->Samples[triangle].Area;
+  return this->Samples[triangle].Detail / 3.0 >
+    tolerance * tolerance * this->Samples[triangle].Area;
 }
 
 float ColorFit::FindLength(std::size_t triangle, int edge) const

@@ -93,8 +93,8 @@ struct SampleSums
   {
     const float* s = this->Squares;
     const double smooth = 1e-6 * this->Weight;
-    const glm::dmat3 matrix(s[0] + smooth, s[3], s[5], s[3], s[1] + smooth, s[4], s[5], s[4],
-      s[2] + smooth);
+    const glm::dmat3 matrix(
+      s[0] + smooth, s[3], s[5], s[3], s[1] + smooth, s[4], s[5], s[4], s[2] + smooth);
     const glm::dmat3 inverse = glm::inverse(matrix);
     double error = this->Energy;
     for (int c = 0; c < 3; ++c)

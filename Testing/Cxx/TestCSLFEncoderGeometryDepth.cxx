@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose depth, coverage and some of whose colours are those of their geometry: what viewpoints
-// see of triangles is compared with rays, other colours stay, such files are smaller, and what the
-// geometry does not tell is coded as in other files. Bad headers are refused.
+// Files whose depth, coverage and some of whose colours are those of their geometry: what
+// viewpoints see of triangles is compared with rays, other colours stay, such files are smaller,
+// and what the geometry does not tell is coded as in other files. Bad headers are refused.
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Geometry/cslfGeometryRays.h"
 #include "Coding/Geometry/cslfGeometryTexels.h"

@@ -25,8 +25,8 @@ struct GeometryFit
   /// covered and beside a silhouette) or hides, those of the geometry whose colour is not known,
   /// and, inside of its outlines, those that are partly transparent.
   std::size_t Wrong = 0;
-  std::size_t Colored = 0; ///< whose colour is the geometry's
-  std::size_t Compared = 0; ///< those among them where both have one surface
+  std::size_t Colored = 0;   ///< whose colour is the geometry's
+  std::size_t Compared = 0;  ///< those among them where both have one surface
   double ColorSquares = 0.0; ///< of the differences of these, of all three components, from 0 to 1
 
   void operator+=(const GeometryFit& other)
@@ -65,8 +65,9 @@ struct GeometryFit
 /// of its texels. The samples have 16-bit depth. A texel whose centre lies on another surface, at
 /// silhouettes, gets the colour of the nearest texels of the geometry's surface. If `hasCoverage`
 /// is set, alpha becomes that of the geometry, 0 or 1, and colours are not multiplied by it: where
-/// it is 0, they continue those around, and have no meaning. Otherwise alpha is not changed. Colours
-/// that are the geometry's have no meaning either, and continue those around. Depth is not changed.
+/// it is 0, they continue those around, and have no meaning. Otherwise alpha is not changed.
+/// Colours that are the geometry's have no meaning either, and continue those around. Depth is not
+/// changed.
 GeometryFit FitToGeometry(
   int resolution, const DrawnTexels& drawn, bool hasCoverage, const ViewpointSamples& samples);
 

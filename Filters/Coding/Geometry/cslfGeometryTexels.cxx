@@ -61,7 +61,7 @@ void GeometryTexels::TakeColors(vtkPolyData* triangles)
     {
       double color[4];
       colors->GetTuple(point, color);
-      const bool isExact = arrays.IsExact(point, side == 1);
+      const bool isExact = arrays.IsExact(point, side == 1) && color[3] == 255.0;
       this->Colors[side].emplace_back(color[0], color[1], color[2], isExact ? 255 : 0);
     }
   }
@@ -71,15 +71,13 @@ bool GeometryTexels::AreAllExact() const
 {
   return this->HasColors() &&
     std::all_of(this->Colors.begin(), this->Colors.end(),
-      [](const std::vector<Color>& side)
-      {
+      [](const std::vector<Color>& side) {
         return std::all_of(
           side.begin(), side.end(), [](const Color& color) { return color.w > 0; });
       });
 }
 
-bool GeometryTexels::Draw(
-  int slice, DrawnTexels& drawn, const std::atomic<bool>& isStopped) const
+bool GeometryTexels::Draw(int slice, DrawnTexels& drawn, const std::atomic<bool>& isStopped) const
 {
   const int resolution = this->Grid.GetResolution();
   std::fill(drawn.Depths.begin(), drawn.Depths.end(), None);

@@ -248,8 +248,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     this->Try([this] { return this->TryGeometry(); });
   }
   const ComputedChannels& chosen = this->Plan.GetComputed();
-  int choice =
-    (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0) + (chosen.HasColor ? 4 : 0);
+  int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0) + (chosen.HasColor ? 4 : 0);
   if (!this->Agree({}, &choice))
   {
     return false;
