@@ -166,6 +166,36 @@ void TestSky()
   CSLF_CHECK(geometry->GetNumberOfPolys() <= 64);
 }
 
+/// Waves of colour under the same sky are not smeared, though the light is only that of a preview.
+void TestDetail()
+{
+  const auto wave = [](double x) { return 128.0 + 80.0 * std::sin(18.0 * x); };
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetResolution(60, 1);
+  floor->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Own");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < floor->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    floor->GetOutput()->GetPoint(i, place);
+    const double level = std::round(wave(place[0]));
+    colors->InsertNextTuple3(level, level, level);
+  }
+  floor->GetOutput()->GetPointData()->SetScalars(colors);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, floor->GetOutput());
+  sampler->SetIntegratorToRadianceCaching();
+  sampler->SetQualityToPreview();
+  sampler->GetEnvironment()->SetModeToConstant();
+  sampler->Update(1);
+  const double error = FindError(sampler->GetGeometry(), [&](double x, double) { return wave(x); });
+  std::cout << "Detail: " << sampler->GetGeometry()->GetNumberOfPolys() << " triangles, error "
+            << error << "\n";
+  CSLF_CHECK(error < 2.5);
+}
+
 /// What looks different from elsewhere is not exact, though its light is stored.
 void TestReflections()
 {
@@ -194,5 +224,6 @@ int TestCSLFSurfaceLight(int, char*[])
   TestCreases();
   TestJump();
   TestSky();
+  TestDetail();
   return cslf::testing::Result();
 }
