@@ -112,7 +112,7 @@ struct TriangleSamples
   static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 
   SampleSums Sides[2]; ///< the front, where corners run counterclockwise, and the back
-  bool AreComplete[2] = { true, true }; ///< whether the samples of a side suffice to judge it
+  bool AreComplete[2] = { true, true }; ///< whether the light of all that is seen is known
   glm::vec3 Normal{ 0.0f };
   float Area = 0.0f;         ///< 0 if it has none
   double Detail = 0.0;       ///< GetLeastError of the colours under white light, of either side

@@ -46,7 +46,7 @@ struct SurfaceLightSettings
 
 /// Fits colours to what samples of the surface show, see ColorFit, and divides its triangles along
 /// the edges of shadows and of colours, down to texels. Samples that cannot be seen, such as those
-/// below another body, do not count. Points that no sample with stored light is near get no colour.
+/// below another body, hardly count. Points that no sample with stored light is near get no colour.
 /// Colours are sRGB-encoded. The light may be null: then only surfaces without lighting have
 /// colours, and there are none at all without such. The mesh must be welded. Throws Aborted.
 SideColors FitLight(const Scene& scene, const StoredLight* light,
