@@ -154,6 +154,12 @@ std::vector<ViewFrustum> DrawnViews::GetFrustums() const
   return frustums;
 }
 
+bool DrawnViews::AreRefined() const
+{
+  return std::all_of(this->Views.begin(), this->Views.end(),
+    [this](const auto& view) { return view->Frame != this->Frame || view->Picture.IsRefined(); });
+}
+
 void DrawnViews::LimitPictures(vtkRenderWindow* window, const DrawnView& view)
 {
   std::vector<DrawnView*> others;

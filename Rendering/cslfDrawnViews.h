@@ -69,6 +69,9 @@ public:
   /// Whether the last frame shows any view.
   bool AreShown() const { return this->IsAnyShown; }
 
+  /// Whether the pictures of the last frame have all rays that they should have.
+  bool AreRefined() const;
+
   /// Frees the pictures that were drawn longest ago, apart from that of `view`, until the others
   /// fit into the memory for pictures.
   void LimitPictures(vtkRenderWindow* window, const DrawnView& view);

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace cslf
 {
@@ -39,6 +40,12 @@ constexpr double MinimumShare = 0.25;
 constexpr double ShareSteps = 16.0;
 /// The most rays along each side of a pixel.
 constexpr int MaximumSamples = 16;
+/// Refined pictures have this many sets of rays, whose places are a lattice without a preferred
+/// direction: the first ray goes through the middle of its square, and each further one is shifted
+/// by these shares of its edges, up to half an edge.
+constexpr int RefinedSets = 5;
+constexpr double SetShiftX = 0.2;
+constexpr double SetShiftY = 0.4;
 /// If this many seconds are available for a picture, the view is not moving.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with fewer pixels. Along each side, one pixel
@@ -176,8 +183,8 @@ void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldT
 {
   this->Tools = &tools;
   this->Look(window, view, field, pace, MaximumSamples);
-  this->Picture.Colors->Activate();
-  this->Picture.Depths->Activate();
+  this->Pictures[this->Shown].Colors->Activate();
+  this->Pictures[this->Shown].Depths->Activate();
 }
 
 void LookupPicture::Compile(
@@ -214,30 +221,51 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && (this->Changes == field.GetChanges() || pace.Keeps) &&
     (isComplete || pace.Seconds < StillSeconds);
-  if (isCurrent)
+  using Refinements = Pace::Refinements;
+  if (!isCurrent)
   {
-    return;
+    this->Window = window;
+    this->Viewport = viewport;
+    this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
+    this->IsMoving = pace.Seconds < StillSeconds;
+    this->ChooseSize(view.Lookup, wantedSamples, pace.Seconds);
+    this->Current = view;
+    this->Changes = field.GetChanges();
+    this->IsSearched = isSearched;
+    this->IsOnGeometry = isOnGeometry;
+    this->Sets = 0;
+    this->WantedSets = view.Samples > 1 && this->Samples > 1 && !this->IsMoving ? RefinedSets : 1;
+    this->DrawSet(field);
   }
-  this->Window = window;
-  this->Viewport = viewport;
-  this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
-  this->IsMoving = pace.Seconds < StillSeconds;
-  this->ChooseSize(view.Lookup, wantedSamples, pace.Seconds);
-  this->Current = view;
-  this->Changes = field.GetChanges();
-  this->IsSearched = isSearched;
-  this->IsOnGeometry = isOnGeometry;
+  else if (pace.Refinement == Refinements::One && !this->IsRefined())
+  {
+    this->DrawSet(field);
+  }
+  while (pace.Refinement == Refinements::All && !this->IsRefined())
+  {
+    this->DrawSet(field);
+  }
+}
+
+void LookupPicture::DrawSet(FieldTexture& field)
+{
   this->Allocate(field);
-  const bool isOpaque = isOnGeometry && view.Geometry->Cells;
-  this->Tools->Build(window, { view.Lookup, isSearched, isOnGeometry, isOpaque }, field.GetField());
+  const bool isOpaque = this->IsOnGeometry && this->Current.Geometry->Cells;
+  this->Tools->Build(this->Window,
+    { this->Current.Lookup, this->IsSearched, this->IsOnGeometry, isOpaque }, field.GetField());
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
+  ++this->Sets;
   if (this->IsMoving)
   {
     glFinish();
     this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
       (static_cast<double>(this->Size[0]) * this->Size[1]);
+  }
+  if (this->IsRefined())
+  {
+    this->Pictures[1 - this->Shown].Release(this->Window);
   }
 }
 
@@ -245,14 +273,15 @@ void LookupPicture::Allocate(const FieldTexture& field)
 {
   this->Tools->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
-  const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
+  using Steps = LookupTarget::ColorSteps;
+  const Steps steps = isByte ? Steps::Bytes : Steps::Floats;
   const bool isMean = this->Samples > 1;
-  this->Picture.Allocate(this->Window,
-    isMean ? std::array<int, 2>{ this->Area[2], this->Area[3] } : this->Size, colorType,
-    this->IsSearched && !isMean);
+  this->GetTarget().Allocate(this->Window,
+    isMean ? std::array<int, 2>{ this->Area[2], this->Area[3] } : this->Size,
+    isByte && this->Sets > 0 ? Steps::Halves : steps, this->IsSearched && !isMean);
   if (isMean)
   {
-    this->Tools->Rays.Allocate(this->Window, this->Size, colorType, this->IsSearched);
+    this->Tools->Rays.Allocate(this->Window, this->Size, steps, this->IsSearched);
   }
   if (this->IsSearched && !this->IsOnGeometry)
   {
@@ -261,9 +290,21 @@ void LookupPicture::Allocate(const FieldTexture& field)
       static_cast<int>(std::clamp(std::ceil(edge / field.GetField().Grid.GetResolution()),
         MinimumGuessDivisor, MaximumGuessDivisor));
     this->Tools->Guess.Allocate(this->Window,
-      { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor },
-      colorType, false);
+      { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor }, steps,
+      false);
   }
+}
+
+DisplayRows LookupPicture::GetRows() const
+{
+  DisplayRows rows = CutOut(this->Current.CCDC, this->Viewport, this->Area);
+  const glm::dvec2 shares(SetShiftX * this->Sets, SetShiftY * this->Sets);
+  const glm::dvec2 shift = shares - glm::round(shares);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    rows[axis] += rows[3] * (2.0 * shift[axis] / this->Size[axis]);
+  }
+  return rows;
 }
 
 void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) const
@@ -279,7 +320,7 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
     static_cast<float>(eye.z), static_cast<float>(this->Current.EyeCC.w) };
   program->SetUniform4f("EyeFC", eyeFC);
 
-  const DisplayRows rows = CutOut(this->Current.CCDC, this->Viewport, this->Area);
+  const DisplayRows rows = this->GetRows();
   vtkNew<vtkMatrix4x4> ccdc;
   ccdc->DeepCopy(&rows[0].x);
   vtkNew<vtkMatrix4x4> fccc;
@@ -348,8 +389,8 @@ void LookupPicture::DrawPicture(FieldTexture& field)
 void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
   this->Tools->Surfaces.Draw(this->Window, this->Tools->Framebuffer, this->Current.Geometry,
-    CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.IsEyeInside,
-    this->Current.ClippingPlanesCC, this->Size, this->Picture.Colors->GetVTKDataType());
+    this->GetRows(), this->Current.IsEyeInside, this->Current.ClippingPlanesCC, this->Size,
+    this->GetRays().Colors->GetVTKDataType());
   this->Tools->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->Tools->OnSurface, SurfaceMark);
@@ -433,19 +474,34 @@ void LookupPicture::DrawSearched(FieldTexture& field)
 
 void LookupPicture::DrawMeans()
 {
-  this->Begin(this->Picture, false);
-  this->Tools->Rays.Colors->Activate();
-  this->Tools->Rays.Depths->Activate();
+  this->Begin(this->GetTarget(), false);
+  // Without an earlier picture, any other texture can stand in its place.
+  const LookupTarget& earlier = this->Sets > 0 ? this->Pictures[this->Shown] : this->Tools->Rays;
+  for (const LookupTarget* target : { &std::as_const(this->Tools->Rays), &earlier })
+  {
+    target->Colors->Activate();
+    target->Depths->Activate();
+  }
   vtkShaderProgram* program = this->Tools->Mean->Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
   program->SetUniformi("RayColors", this->Tools->Rays.Colors->GetTextureUnit());
   program->SetUniformi("RayDepths", this->Tools->Rays.Depths->GetTextureUnit());
+  program->SetUniformi("EarlierColors", earlier.Colors->GetTextureUnit());
+  program->SetUniformi("EarlierDepths", earlier.Depths->GetTextureUnit());
+  program->SetUniformi("EarlierSets", this->Sets);
   program->SetUniformi("RaysPerSide", this->Samples);
   program->SetUniformi("IsWhole", true);
   program->SetUniformf("MarkDC", 0.0F);
   this->Tools->Mean->Render();
-  this->Tools->Rays.Colors->Deactivate();
-  this->Tools->Rays.Depths->Deactivate();
+  for (const LookupTarget* target : { &std::as_const(this->Tools->Rays), &earlier })
+  {
+    target->Colors->Deactivate();
+    target->Depths->Deactivate();
+  }
+  if (this->Sets > 0)
+  {
+    this->Shown = 1 - this->Shown;
+  }
 }
 
 // All targets share one framebuffer object, because vtkOpenGLState confuses the draw buffers of
@@ -512,8 +568,9 @@ void LookupPicture::DrawFaces(
 
 void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniformi("PictureColor", this->Picture.Colors->GetTextureUnit());
-  program->SetUniformi("PictureDepth", this->Picture.Depths->GetTextureUnit());
+  const LookupTarget& picture = this->Pictures[this->Shown];
+  program->SetUniformi("PictureColor", picture.Colors->GetTextureUnit());
+  program->SetUniformi("PictureDepth", picture.Depths->GetTextureUnit());
   const float viewport[2] = { static_cast<float>(this->Viewport[0]),
     static_cast<float>(this->Viewport[1]) };
   program->SetUniform2f("ViewportOrigin", viewport);
@@ -523,7 +580,7 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
   const float origin[2] = { static_cast<float>(this->Viewport[0] + this->Area[0]),
     static_cast<float>(this->Viewport[1] + this->Area[1]) };
   program->SetUniform2f("PictureOrigin", origin);
-  const std::array<int, 2>& size = this->Picture.Size;
+  const std::array<int, 2>& size = picture.Size;
   const float scale[2] = { static_cast<float>(size[0]) / static_cast<float>(this->Area[2]),
     static_cast<float>(size[1]) / static_cast<float>(this->Area[3]) };
   program->SetUniform2f("PictureScale", scale);
@@ -531,13 +588,16 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 
 void LookupPicture::Deactivate()
 {
-  this->Picture.Colors->Deactivate();
-  this->Picture.Depths->Deactivate();
+  this->Pictures[this->Shown].Colors->Deactivate();
+  this->Pictures[this->Shown].Depths->Deactivate();
 }
 
 void LookupPicture::Release(vtkWindow* window)
 {
-  this->Picture.Release(window);
+  for (LookupTarget& picture : this->Pictures)
+  {
+    picture.Release(window);
+  }
   this->Window = nullptr;
 }
 }

@@ -250,16 +250,16 @@ void SurfacePicture::Release(vtkWindow* window)
 }
 
 void LookupTarget::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks)
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps, bool hasMarks)
 {
   this->Size = size;
   const auto width = static_cast<unsigned int>(size[0]);
   const auto height = static_cast<unsigned int>(size[1]);
   const auto allocate =
-    [&](vtkTextureObject* texture, int type, int filter, const auto& allocateTexels)
+    [&](vtkTextureObject* texture, bool isOfType, int filter, const auto& allocateTexels)
   {
     const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
-      texture->GetHeight() == height && (type == VTK_VOID || texture->GetVTKDataType() == type);
+      texture->GetHeight() == height && isOfType;
     if (!fits)
     {
       texture->ReleaseGraphicsResources(window);
@@ -272,13 +272,22 @@ void LookupTarget::Allocate(
       allocateTexels();
     }
   };
-  allocate(this->Colors, colorType, vtkTextureObject::Linear,
-    [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
-  allocate(this->Depths, VTK_FLOAT, vtkTextureObject::Nearest,
+  allocate(this->Colors, this->Steps == steps, vtkTextureObject::Linear,
+    [&]
+    {
+      if (steps == ColorSteps::Halves)
+      {
+        this->Colors->SetInternalFormat(GL_RGBA16F);
+      }
+      const int type = steps == ColorSteps::Bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
+      this->Colors->Allocate2D(width, height, 4, type);
+      this->Steps = steps;
+    });
+  allocate(this->Depths, true, vtkTextureObject::Nearest,
     [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
   if (hasMarks)
   {
-    allocate(this->Marks, VTK_VOID, vtkTextureObject::Nearest,
+    allocate(this->Marks, true, vtkTextureObject::Nearest,
       [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
   }
 }
@@ -296,7 +305,9 @@ std::int64_t LookupTarget::GetBytes() const
   {
     return 0;
   }
-  const std::int64_t color = 4 * vtkDataArray::GetDataTypeSize(this->Colors->GetVTKDataType());
+  const std::int64_t color = this->Steps == ColorSteps::Bytes ? 4
+    : this->Steps == ColorSteps::Halves                       ? 8
+                                                              : 16;
   const std::int64_t mark = this->Marks->GetHandle() != 0 ? 2 : 0;
   return (color + static_cast<std::int64_t>(sizeof(float)) + mark) * this->Size[0] * this->Size[1];
 }

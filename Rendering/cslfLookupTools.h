@@ -81,14 +81,23 @@ struct Description;
 /// Textures that a lookup draws to.
 struct LookupTarget
 {
+  /// How fine the steps of colours are.
+  enum class ColorSteps
+  {
+    Bytes,
+    Halves, ///< half floats, for means of several pictures
+    Floats
+  };
+
   std::array<int, 2> Size{ 1, 1 };
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;
   vtkNew<vtkTextureObject> Marks; ///< a depth buffer: 1 where nothing was drawn yet
+  ColorSteps Steps = ColorSteps::Bytes;
 
   /// Allocates the textures again if they have another size or type.
   void Allocate(
-    vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks);
+    vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps, bool hasMarks);
 
   /// The graphics memory that the textures take, in bytes.
   std::int64_t GetBytes() const;

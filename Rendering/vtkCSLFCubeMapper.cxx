@@ -289,15 +289,22 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   const int coveragePass = this->ChooseCoveragePass(renderer, actor);
-  const bool keeps = this->IsAnotherPass && coveragePass == PartialCoverage;
-  if (!keeps)
+  using Pace = cslf::LookupPicture::Pace;
+  Pace pace;
+  pace.Seconds = this->DrawSeconds;
+  pace.Keeps = this->IsAnotherPass && coveragePass == PartialCoverage;
+  if (!pace.Keeps)
   {
     // An incomplete picture will be drawn again.
-    this->Drawn->Samples = this->IsComplete() ? this->PixelSamples : 1;
+    this->Drawn->Samples = this->Texture.IsComplete() ? this->PixelSamples : 1;
   }
   this->View.Samples = this->Drawn->Samples;
-  this->Drawn->Picture.Draw(
-    window, this->View, this->Texture, this->Tools, { this->DrawSeconds, keeps });
+  // All passes of a frame draw the same picture.
+  if (!this->IsAnotherPass && !renderer->GetSelector())
+  {
+    pace.Refinement = this->Streaming ? Pace::Refinements::One : Pace::Refinements::All;
+  }
+  this->Drawn->Picture.Draw(window, this->View, this->Texture, this->Tools, pace);
   this->Views.LimitPictures(window, *this->Drawn);
   const std::string options = this->MakeOptions();
   if (options != this->Options)

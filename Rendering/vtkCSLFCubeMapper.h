@@ -92,11 +92,13 @@ public:
   /// Whether a window has resources of this.
   bool HasWindow() const { return this->Window != nullptr; }
 
-  /// Whether nothing is missing from what the window shows, as far as it fits. A window that has
+  /// Whether nothing is missing from what the window shows, as far as it fits: no viewpoints, and
+  /// no rays of still views. A window that has
   /// released its resources, or whose last frame did not contain the field, shows nothing.
   bool IsComplete() const
   {
-    return !this->Views.AreShown() || this->TextureFailed || this->Texture.IsComplete();
+    return !this->Views.AreShown() || this->TextureFailed ||
+      (this->Texture.IsComplete() && this->Views.AreRefined());
   }
 
   /// Whether all required viewpoints are missing, which was known before.

@@ -164,11 +164,13 @@ public:
 
   ///@{
   /**
-   * The minimum number of rays along each side of a pixel for the depth lookup while the view is
-   * still and complete, from 1 to 4. With 2, the mean of 2 x 2 rays gives smooth silhouettes, as in
-   * a path-traced picture, and takes about 2.5 times as long as 1. Other lookups are not sharp
-   * enough to benefit and use 1. If texels are smaller than pixels, all lookups use more. Default:
-   * 2.
+   * The minimum number of rays along each side of a pixel for the depth and geometry lookups while
+   * the view is still and complete, from 1 to 4. With 1, the ray goes through the middle of the
+   * pixel. With 2, the mean of 2 x 2 rays gives smooth silhouettes, as in a path-traced picture,
+   * and takes about 2.5 times as long as 1. Pictures with more than 1 are refined: they become the
+   * mean of five such sets, whose rays go through different places of the pixels, at once or, with
+   * Streaming, one more with each Render. Other lookups are not sharp enough to benefit and use 1.
+   * If texels are smaller than pixels, all lookups use more. Default: 2.
    */
   void SetPixelSamples(int samples);
   vtkGetMacro(PixelSamples, int);
@@ -188,9 +190,10 @@ public:
    * Whether Render draws from the viewpoints that are loaded instead of waiting for all viewpoints
    * that the camera can use. If on, it waits only for the coarsest viewpoints. During a few
    * milliseconds of each picture, further viewpoints are loaded into graphics memory, beginning
-   * with those near the middle of the view. While viewpoints are missing, UpdateDataEvent is
-   * invoked at the end of Render, and IsComplete returns false: the application must render again
-   * to show them, but not within the event. Default: off, for pictures that are drawn once.
+   * with those near the middle of the view. When all are loaded, each Render refines still views
+   * (PixelSamples). While viewpoints or rays are missing, UpdateDataEvent is invoked at the end of
+   * Render, and IsComplete returns false: the application must render again to show them, but not
+   * within the event. Default: off, for pictures that are drawn once.
    */
   vtkSetMacro(Streaming, bool);
   vtkGetMacro(Streaming, bool);
@@ -199,9 +202,9 @@ public:
 
   /**
    * Whether the last picture in each window was drawn from all viewpoints that its cameras can use,
-   * within TextureMemoryLimit. Windows that do not show the field, because they were destroyed or
-   * have released their resources, or because its actor was removed or hidden before the last
-   * picture, do not count: without others, the result is true.
+   * within TextureMemoryLimit, and has all rays that it should have. Windows that do not show the
+   * field, because they were destroyed or have released their resources, or because its actor was
+   * removed or hidden before the last picture, do not count: without others, the result is true.
    */
   bool IsComplete();
 

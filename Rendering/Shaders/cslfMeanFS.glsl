@@ -1,7 +1,8 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Averages the rays of a pixel: colour and coverage by their mean, depth by the nearest.
+// Averages the rays of a pixel: colour and coverage by their mean, depth by the nearest. A picture
+// that was drawn before, of other rays, counts, too.
 
 // Options:
 //   LINEAR_COLOR  defined if the field holds linear values, otherwise sRGB-encoded ones
@@ -12,6 +13,9 @@
 uniform sampler2D RayColors;
 uniform sampler2D RayDepths; // z in DC
 uniform int RaysPerSide;     // of a pixel
+uniform sampler2D EarlierColors;
+uniform sampler2D EarlierDepths;
+uniform int EarlierSets; // of as many rays for each pixel, that the earlier picture is the mean of
 
 //CSLF::Constants::Dec
 //CSLF::ToneMapping::Dec
@@ -52,6 +56,14 @@ void main()
       z = min(z, texelFetch(RayDepths, first + ivec2(x, y), 0).r);
     }
   }
-  gl_FragData[0] = FromLight(sum / float(RaysPerSide * RaysPerSide));
+  vec4 mean = sum / float(RaysPerSide * RaysPerSide);
+  if (EarlierSets > 0)
+  {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 earlier = ToLight(texelFetch(EarlierColors, pixel, 0));
+    mean = mix(earlier, mean, 1.0 / float(EarlierSets + 1));
+    z = min(z, texelFetch(EarlierDepths, pixel, 0).r);
+  }
+  gl_FragData[0] = FromLight(mean);
   gl_FragData[1] = vec4(z);
 }

@@ -36,7 +36,7 @@ if (NOT EXISTS "${DIRECTORY}/sheet.png")
 endif ()
 
 # Along a path: every view and every change has its figure, and the sheet is about square.
-cslf_run(evaluate box.vti cornell-box --path swing --frames 9 --size 48 --spp 64 ${light}
+cslf_run(evaluate box.vti cornell-box --path swing --frames 9 --size 48 --spp 128 ${light}
   --lookups bilinear,depth --json -o swing --contact-sheet swing.png)
 expect_json(9 views)
 expect_json("swing" path)
@@ -194,6 +194,6 @@ string(JSON psnr_dim GET "${output}" psnr)
 if (psnr_dim GREATER 30)
   message(FATAL_ERROR "A quarter of the exposure changes the picture to ${psnr_dim} dB only.")
 endif ()
-cslf_run(evaluate box.vti cornell-box --views 1 --size 64 --spp 512 ${light} --view-exposure 0.5
+cslf_run(evaluate box.vti cornell-box --views 1 --size 64 --spp 1024 ${light} --view-exposure 0.5
   --tone-mapping reinhard --json)
 expect_json_at_least(20 lookups depth psnr)
