@@ -29,6 +29,7 @@ FRAME_RATE = 25
 FAR = 65535
 FORMAT = 2
 TAGS = ("comment", "description")
+MARK = bytes.fromhex("0d5f9a6e5b1c4e279c836a1fd240b735")  # of units with bytes for CSLF
 ROLES = ("color", "coverage", "depth", "depth-high", "depth-low")
 
 
@@ -109,17 +110,23 @@ def read_header(tags):
     return header
 
 
-def read_parts(header, tags):
-    """The other parts of a file: (type, name, bytes), without damaged ones."""
+def read_parts(header, tags, carried):
+    """The other parts of a file: (type, name, bytes), without damaged ones. `carried` are the bytes
+    in the first picture."""
     places, parts = {}, []
     for part in header.get("parts", []):
-        size = (part["bytes"] + 2) // 3 * 4
-        place = places.get(part["tag"], 0)
-        places[part["tag"]] = place + size + 1
-        try:
-            data = base64.b64decode(tags.get(part["tag"], "")[place:place + size], validate=True)
-        except ValueError:
-            data = b""
+        if "frame" in part:
+            require(part["frame"] == 0, "it has parts elsewhere")
+            data, carried = carried[:part["bytes"]], carried[part["bytes"]:]
+        else:
+            size = (part["bytes"] + 2) // 3 * 4
+            place = places.get(part["tag"], 0)
+            places[part["tag"]] = place + size + 1
+            try:
+                data = base64.b64decode(tags.get(part["tag"], "")[place:place + size],
+                                        validate=True)
+            except ValueError:
+                data = b""
         if len(data) == part["bytes"] and zlib.crc32(data) == part["crc"]:
             parts.append((part["type"], part["name"], data))
         else:
@@ -161,8 +168,23 @@ def split_open_units(stream):
         place += size
 
 
+def unpack_message(unit):
+    """What a unit of supplemental enhancement information carries for CSLF."""
+    message = re.sub(b"\x00\x00\x03", b"\x00\x00", unit).rstrip(b"\x00")
+    size, place = 0, 1
+    while message[place] == 255:
+        size += 255
+        place += 1
+    size += message[place]
+    content = message[place + 1:place + 1 + size]
+    require(message[0] == 5 and content.startswith(MARK) and message[place + 1 + size:] == b"\x80",
+            "it has unknown units")
+    return content[len(MARK):]
+
+
 def list_parts(codec, stream):
-    """The data of checksums: ("sets", bytes), ("frame", bytes) for first units, ("more", bytes)."""
+    """The data of checksums: ("sets", bytes), ("frame", bytes) for first units, ("more", bytes);
+    and ("carried", bytes)."""
     if codec == "av1":
         is_first = True
         for kind, payload in split_open_units(stream):
@@ -173,19 +195,27 @@ def list_parts(codec, stream):
             elif kind in (3, 4, 6):
                 yield "frame" if is_first else "more", payload
                 is_first = False
+            elif kind == 5:
+                content = payload.rstrip(b"\x00")
+                require(content.startswith(b"\x04\xff\xff" + MARK) and content.endswith(b"\x80"),
+                        "it has unknown units")
+                yield "carried", content[3 + len(MARK):-1]
         return
     is_hevc = codec == "hevc"
     for unit in split_units(stream):
         kind = unit[0] >> 1 & 63 if is_hevc else unit[0] & 31
         if kind in ((32, 33, 34) if is_hevc else (7, 8)):
             yield "sets", unit
+        elif kind == (39 if is_hevc else 6):
+            yield "carried", unpack_message(unit[2 if is_hevc else 1:])
         elif kind < 32 if is_hevc else 1 <= kind <= 5:
             # The first bit of a slice's header is that of the first slice in a picture.
             yield "frame" if unit[2 if is_hevc else 1] & 128 else "more", unit
 
 
 def check_track(path, index, track, groups):
-    """Compares the checksums of parameter sets and groups with the header's."""
+    """Compares the checksums of parameter sets and groups with the header's. The bytes that the
+    first picture carries."""
     codec = track["codec"]
     # FFmpeg omits the filter if the first unit's length looks like a start code.
     options = [] if codec == "av1" else ["-bsf:v", codec + "_mp4toannexb"]
@@ -194,10 +224,14 @@ def check_track(path, index, track, groups):
     starts = numpy.cumsum([0] + groups)
     crcs = [0] * len(groups)
     sets = 0
+    carried = b""
     frame = -1
     for kind, data in list_parts(codec, stream):
         if kind == "sets":
             sets = zlib.crc32(data, sets) if frame < 0 else sets
+            continue
+        if kind == "carried":
+            carried += data if frame < 0 else b""
             continue
         frame += kind == "frame"
         require(frame < starts[-1], "it has too many frames")
@@ -205,6 +239,7 @@ def check_track(path, index, track, groups):
         crcs[group] = zlib.crc32(data, crcs[group])
     require(sets == track["parameter_sets_crc"], "the parameter sets of a track are damaged")
     require(crcs == track["crc"], "a group is damaged")
+    return carried
 
 
 # Samples.
@@ -316,24 +351,29 @@ def read_light_field(path):
     codecs = {track["codec"] for track in coding["tracks"]}
     streams = [stream for stream in streams if stream["codec_name"] in codecs]
     require(len(streams) >= len(coding["tracks"]), "it lacks a track")
-    tracks, planes = {}, {}
+    names = coding.get("from_geometry", [])
+    # If the geometry tells everything, the other groups are computed.
+    coded = groups[:1] if "all" in names else groups
+    tracks, planes, carried = {}, {}, b""
     for stream, track in zip(streams, coding["tracks"]):
         if track["role"] not in ROLES:
             print("A track is of an unknown kind: " + track["role"], file=sys.stderr)
             continue
-        check_track(path, stream["index"], track, groups)
+        found = check_track(path, stream["index"], track, coded)
+        carried = carried if tracks else found
         tracks[track["role"]] = track
-        planes[track["role"]] = read_planes(path, stream, size, count)
-    parts = read_parts(header, tags)
+        planes[track["role"]] = [
+            numpy.concatenate([plane, numpy.zeros((count - sum(coded), *plane.shape[1:]), int)])
+            for plane in read_planes(path, stream, size, sum(coded))]
+    parts = read_parts(header, tags, carried)
     computed = exact = None
-    names = coding.get("from_geometry", [])
     if names:
         computed, exact = compute_texels(header, parts, slices)
         if "coverage" in names:
             tracks["coverage"] = {"tolerance": 0}
             planes["coverage"] = [numpy.where(computed < FAR, 255, 0)]
     texels = make_texels(tracks, planes, size, slices, computed,
-                         exact if "color" in names else None)
+                         exact if "color" in names else None, "all" in names)
     return texels, parts
 
 
@@ -349,8 +389,8 @@ def compute_texels(header, parts, slices):
     return tuple(numpy.stack(parts) for parts in zip(*(viewer.see(z) for z in slices)))
 
 
-def make_texels(tracks, planes, size, slices, depth, exact):
-    """`depth` and `exact` are what was computed, or None."""
+def make_texels(tracks, planes, size, slices, depth, exact, is_all):
+    """`depth` and `exact` are what was computed, or None. `is_all`: no other colours count."""
     color = tracks["color"]
     is_float = color.get("transfer") == "smpte2084"
     shape = (len(slices), size, TILES * size)
@@ -371,7 +411,7 @@ def make_texels(tracks, planes, size, slices, depth, exact):
         colors = numpy.minimum(colors, coverage[..., None])
         if exact is not None:
             shown = numpy.floor(coverage[..., None] * exact[..., :3] / 255 + 0.5).astype(int)
-            colors = numpy.where(exact[..., 3:] > 0, shown, colors)
+            colors = numpy.where(exact[..., 3:] > 0, shown, 0 if is_all else colors)
         colors = colors.astype(numpy.uint8)
         alpha = coverage.astype(numpy.uint8)
     texels["Color"] = numpy.concatenate([colors, alpha[..., None]], axis=-1)

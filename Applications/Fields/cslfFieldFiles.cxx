@@ -606,7 +606,11 @@ std::string DescribeCoding(const nlohmann::json& coding)
   {
     text << ", " << coding["psnr"].get<double>() << " dB";
   }
-  if (coding.contains("crf"))
+  else if (coding.value("color_from_geometry", 0.0) == 1.0)
+  {
+    text << ", told by its geometry";
+  }
+  if (coding.contains("psnr") && coding.contains("crf"))
   {
     text << " at a rate factor of " << coding["crf"].get<double>();
   }

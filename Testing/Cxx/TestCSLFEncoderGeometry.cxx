@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A field's geometry in a coded file: positions within half a step, colours, figures and triangles
-// come back, the mapper draws it from the decoder, and damaged bytes are refused.
+// come back, the mapper draws it from the decoder, and damaged bytes are refused. Its bytes are in
+// the first picture of any codec, also after remuxing.
+#include "Coding/Codecs/cslfCodec.h"
+#include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfCodecTesting.h"
+#include "cslfRemux.h"
 #include "cslfTestField.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -256,6 +260,93 @@ void TestDamage()
   }
 }
 
+/// Units that carry bytes, also those that look like start codes.
+void TestUnits()
+{
+  std::mt19937 random(2);
+  for (const cslf::Codec codec : cslf::GetCodecs())
+  {
+    const cslf::Bitstream& bitstream = cslf::GetBitstream(codec);
+    const bool isAV1 = codec == cslf::Codec::AV1;
+    // A frame's unit of two bytes.
+    const std::vector<std::uint8_t> packet = isAV1
+      ? std::vector<std::uint8_t>{ 6 << 3 | 2, 2, 1, 1 }
+      : std::vector<std::uint8_t>{ 0, 0, 0, 1, 2, 1, 1, 0x80 };
+    const cslf::Framing framing;
+    std::uint32_t crc = 0;
+    CSLF_CHECK(bitstream.AddToCRC(packet.data(), packet.size(), framing, crc));
+    for (const int most : { 0, 3, 255 })
+    {
+      for (const std::size_t size : { 1, 17, 238, 239, 240, 494, 70000 })
+      {
+        std::vector<unsigned char> bytes(size);
+        std::generate(bytes.begin(), bytes.end(),
+          [&] { return static_cast<unsigned char>(random() % (most + 1)); });
+        std::vector<std::uint8_t> loaded = bitstream.Load(packet, bytes);
+        std::uint32_t same = 0;
+        CSLF_CHECK(bitstream.Unload(loaded.data(), loaded.size(), framing) == bytes);
+        CSLF_CHECK(bitstream.AddToCRC(loaded.data(), loaded.size(), framing, same) && same == crc);
+        CSLF_CHECK(loaded.size() < packet.size() + 1.51 * size + size / 255 + 40);
+        // Units of others are refused, as they may change the picture.
+        loaded[14] ^= 1;
+        CSLF_CHECK(!bitstream.AddToCRC(loaded.data(), loaded.size(), framing, same));
+        CSLF_CHECK(bitstream.Unload(loaded.data(), loaded.size(), framing).empty());
+        loaded[14] ^= 1;
+        // Less than the mark.
+        for (std::size_t length = 0; length < 22; ++length)
+        {
+          CSLF_CHECK(bitstream.Unload(loaded.data(), length, framing).empty());
+        }
+      }
+    }
+  }
+}
+
+void WriteField(
+  vtkImageData* field, vtkPolyData* surfaces, const char* codec, const std::string& fileName)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(field);
+  encoder->SetGeometryData(surfaces);
+  encoder->SetFileName(fileName.c_str());
+  encoder->SetCodec(codec);
+  encoder->RestartOff();
+  CSLF_CHECK(encoder->Write() == 1);
+}
+
+/// The geometry of a file. None if it is damaged.
+std::vector<unsigned char> ReadBytes(const std::string& fileName)
+{
+  cslf::OpenError failure;
+  const auto reader = cslf::ContainerReader::Open(fileName, failure);
+  const cslf::FilePart* part = reader ? reader->GetHeader().FindGeometry() : nullptr;
+  CSLF_CHECK(reader && reader->IsWhole(0, reader->Read(0)));
+  return part ? part->Bytes : std::vector<unsigned char>();
+}
+
+void TestCarried(const std::string& folder)
+{
+  const auto field = cslf::testing::MakeTestField(
+    cslf::Layout(2, 64), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  const auto surfaces = cslf::testing::MakeTestSurfaces(cslf::Cube());
+  for (const char* codec : { "hevc", "h264", "av1" })
+  {
+    for (const char* container : { "mp4", "mkv" })
+    {
+      const std::string other = container == std::string("mp4") ? "mkv" : "mp4";
+      const std::string name = folder + "/" + codec;
+      WriteField(field, surfaces, codec, name + "." + container);
+      CSLF_CHECK(cslf::testing::Remux(name + "." + container, name + "-1." + other));
+      CSLF_CHECK(cslf::testing::Remux(name + "-1." + other, name + "-2." + container));
+      const std::vector<unsigned char> bytes = ReadBytes(name + "." + container);
+      CSLF_CHECK(bytes.size() > 1000);
+      CSLF_CHECK(ReadBytes(name + "-1." + other) == bytes);
+      CSLF_CHECK(ReadBytes(name + "-2." + container) == bytes);
+      CSLF_CHECK(cslf::testing::ReadTag(name + "." + container, "synopsis").empty());
+    }
+  }
+}
+
 /// Through a file to the mapper.
 void TestFile(const std::string& fileName)
 {
@@ -320,6 +411,9 @@ int TestCSLFEncoderGeometry(int argc, char* argv[])
   TestOneColor(VTK_UNSIGNED_CHAR);
   TestOneColor(VTK_FLOAT);
   TestDamage();
-  TestFile(cslf::testing::MakeFolder(argc, argv, "EncoderGeometry") + "/field.mp4");
+  TestUnits();
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "EncoderGeometry");
+  TestCarried(folder);
+  TestFile(folder + "/field.mp4");
   return cslf::testing::Result();
 }

@@ -419,6 +419,7 @@ void TestAlone(const std::string& folder)
   const auto encoder = file.Write();
   std::cout << "alone: " << encoder->GetActualSize() << " bytes\n";
   CSLF_CHECK(encoder->GetActualColorFromGeometry() > 0.9);
+  CSLF_CHECK(file.ReadHeader().Computed.IsAll && file.ReadHeader().GetCodedGroups() == 1);
   CheckExact(file.Read(), exact);
 }
 
@@ -609,6 +610,11 @@ void TestHeaders(const std::string& folder)
   CheckRefused(file, "", setComputed("depth"));
   CheckRefused(file, "", setComputed({ 3 }));
   CheckRefused(file, "is not what it requires", setComputed(JSON::array()));
+  CheckRefused(file, "other channels from its geometry", setComputed({ "depth", "all" }));
+  CheckRefused(
+    file, "other channels from its geometry", setComputed({ "depth", "coverage", "all" }));
+  CheckRefused(
+    file, "its groups do not match", setComputed({ "depth", "coverage", "color", "all" }));
   CheckRefused(file, "is not what it requires", [](JSON& json, Tags&) { json.erase("required"); });
   CheckRefused(file, "its tracks do not match its channels",
     [](JSON& json, Tags&)
@@ -623,7 +629,9 @@ void TestHeaders(const std::string& folder)
   const char* const lost = "the geometry from which its depth is computed is missing or damaged";
   CheckRefused(file, lost, [](JSON& json, Tags&) { json.erase("parts"); });
   CheckRefused(file, lost, [](JSON& json, Tags&) { json["parts"][0]["type"] = "model/other"; });
-  CheckRefused(file, lost, [](JSON&, Tags& tags) { tags["synopsis"][200] ^= 1; });
+  CheckRefused(file, lost, [](JSON& json, Tags&) { json["parts"][0]["crc"] = 1; });
+  CheckRefused(file, lost, [](JSON& json, Tags&) { json["parts"][0]["frame"] = 1; });
+  CheckRefused(file, lost, [](JSON& json, Tags&) { json["parts"][0]["bytes"] = 100000000; });
 }
 }
 

@@ -5,12 +5,39 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 
 namespace cslf
 {
 namespace
 {
+/// Marks units with bytes for CSLF among those of other programs: a UUID (RFC 4122, version 4).
+constexpr std::array<std::uint8_t, 16> CarrierMark = { 0x0d, 0x5f, 0x9a, 0x6e, 0x5b, 0x1c, 0x4e,
+  0x27, 0x9c, 0x83, 0x6a, 0x1f, 0xd2, 0x40, 0xb7, 0x35 };
+
+/// Ends the contents of units, before zeros.
+constexpr std::uint8_t TrailingBit = 0x80;
+
+/// The bytes between a carrier's mark, which must be at a place, and its last byte that is not 0.
+/// Null if there is no mark, or no end.
+bool FindCarried(const std::uint8_t* data, std::size_t size, std::size_t place, std::size_t& end)
+{
+  end = size;
+  while (end > place && data[end - 1] == 0)
+  {
+    --end;
+  }
+  if (end < place + CarrierMark.size() + 1 || data[end - 1] != TrailingBit ||
+    !std::equal(CarrierMark.begin(), CarrierMark.end(), data + place))
+  {
+    return false;
+  }
+  --end;
+  return true;
+}
+
 // What H.264 and HEVC have in common: their data are NAL units (ITU-T H.264 and H.265, section
 // 7.3.1). Checksums are over these units, without start codes or length prefixes.
 
@@ -45,6 +72,7 @@ struct NALSyntax
   int Delimiter = 0; ///< of access units
   int Filler = 0;
   ///@}
+  std::vector<std::uint8_t> Supplement; ///< the header of supplemental enhancement information
   std::size_t MinimumRecordSize = 0;
   std::size_t RecordLengthSizeOffset = 0; ///< of the byte with the size of length prefixes
 };
@@ -57,6 +85,10 @@ public:
   bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
     std::uint32_t& crc) const override;
   std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
+  std::vector<std::uint8_t> Load(const std::vector<std::uint8_t>& packet,
+    const std::vector<unsigned char>& bytes) const override;
+  std::vector<unsigned char> Unload(
+    const std::uint8_t* data, std::size_t size, const Framing& framing) const override;
 
 protected:
   using Visitor = std::function<void(const NALUnit&)>;
@@ -80,6 +112,13 @@ private:
   bool IsSlice(const NALUnit& unit) const;
   bool IsParameterSet(const NALUnit& unit) const;
   bool IsSkipped(const NALUnit& unit) const;
+
+  /// Appends what a unit carries for CSLF. False if it is another one.
+  bool Take(const NALUnit& unit, std::vector<unsigned char>& bytes) const;
+
+  /// Visits all units of a packet. False if some are incomplete.
+  bool VisitPacket(
+    const std::uint8_t* data, std::size_t size, const Framing& framing, const Visitor& visit) const;
 
   /// Visits the unit after its size at `position`, and moves `position` behind it.
   bool VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize, std::size_t& position,
@@ -243,6 +282,7 @@ bool NALBitstream::AddToCRC(
   const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
 {
   bool isOfTrack = true;
+  std::vector<unsigned char> ignored;
   const auto add = [&](const NALUnit& unit)
   {
     if (this->IsSlice(unit))
@@ -253,13 +293,105 @@ bool NALBitstream::AddToCRC(
     {
       isOfTrack = isOfTrack &&
         (this->IsSkipped(unit) ||
-          (this->IsParameterSet(unit) && framing.HasParameterSet(AddTo(0, unit))));
+          (this->IsParameterSet(unit) && framing.HasParameterSet(AddTo(0, unit))) ||
+          this->Take(unit, ignored));
     }
   };
-  const bool isWhole = framing.LengthSize == 0
-    ? this->VisitStartCoded(data, size, add)
-    : this->VisitPrefixed(data, size, framing.LengthSize, add);
-  return isWhole && isOfTrack;
+  return this->VisitPacket(data, size, framing, add) && isOfTrack;
+}
+
+bool NALBitstream::VisitPacket(
+  const std::uint8_t* data, std::size_t size, const Framing& framing, const Visitor& visit) const
+{
+  return framing.LengthSize == 0 ? this->VisitStartCoded(data, size, visit)
+                                 : this->VisitPrefixed(data, size, framing.LengthSize, visit);
+}
+
+/// The type of a message whose meaning is private: user_data_unregistered (ITU-T H.265, section
+/// D.2.7; H.264, section D.1.7).
+constexpr std::uint8_t PrivateMessage = 5;
+
+/// A byte of a message's size that says that another one follows.
+constexpr std::uint8_t MoreSize = 255;
+
+std::vector<std::uint8_t> NALBitstream::Load(
+  const std::vector<std::uint8_t>& packet, const std::vector<unsigned char>& bytes) const
+{
+  std::vector<std::uint8_t> message = { PrivateMessage };
+  const std::size_t size = CarrierMark.size() + bytes.size();
+  message.insert(message.end(), size / MoreSize, MoreSize);
+  message.push_back(static_cast<std::uint8_t>(size % MoreSize));
+  message.insert(message.end(), CarrierMark.begin(), CarrierMark.end());
+  message.insert(message.end(), bytes.begin(), bytes.end());
+  message.push_back(TrailingBit);
+  std::vector<std::uint8_t> loaded = { 0, 0, 0, 1 };
+  loaded.insert(loaded.end(), this->Syntax.Supplement.begin(), this->Syntax.Supplement.end());
+  int zeros = 0;
+  for (const std::uint8_t byte : message)
+  {
+    // Two zeros are followed by a 3 where a start code might begin (section 7.4.2; H.264, 7.4.1).
+    if (zeros >= 2 && byte <= 3)
+    {
+      loaded.push_back(3);
+      zeros = 0;
+    }
+    loaded.push_back(byte);
+    zeros = byte == 0 ? zeros + 1 : 0;
+  }
+  loaded.insert(loaded.end(), packet.begin(), packet.end());
+  return loaded;
+}
+
+bool NALBitstream::Take(const NALUnit& unit, std::vector<unsigned char>& bytes) const
+{
+  const std::vector<std::uint8_t>& header = this->Syntax.Supplement;
+  if (unit.Size < header.size() || !std::equal(header.begin(), header.end(), unit.Data))
+  {
+    return false;
+  }
+  std::vector<std::uint8_t> message;
+  message.reserve(unit.Size);
+  int zeros = 0;
+  for (std::size_t k = header.size(); k < unit.Size; ++k)
+  {
+    const std::uint8_t byte = unit.Data[k];
+    if (zeros >= 2 && byte == 3)
+    {
+      zeros = 0;
+      continue;
+    }
+    message.push_back(byte);
+    zeros = byte == 0 ? zeros + 1 : 0;
+  }
+  std::size_t place = 1;
+  std::size_t size = 0;
+  while (place < message.size() && message[place] == MoreSize)
+  {
+    size += message[place++];
+  }
+  if (message.empty() || message[0] != PrivateMessage || place == message.size())
+  {
+    return false;
+  }
+  size += message[place++];
+  std::size_t end = 0;
+  // There is nothing else in the unit.
+  if (!FindCarried(message.data(), message.size(), place, end) || end - place != size)
+  {
+    return false;
+  }
+  const auto begin = message.begin();
+  bytes.insert(bytes.end(), begin + static_cast<std::ptrdiff_t>(place + CarrierMark.size()),
+    begin + static_cast<std::ptrdiff_t>(end));
+  return true;
+}
+
+std::vector<unsigned char> NALBitstream::Unload(
+  const std::uint8_t* data, std::size_t size, const Framing& framing) const
+{
+  std::vector<unsigned char> bytes;
+  const auto take = [&](const NALUnit& unit) { this->Take(unit, bytes); };
+  return this->VisitPacket(data, size, framing, take) ? bytes : std::vector<unsigned char>();
 }
 
 std::vector<std::uint8_t> NALBitstream::Trim(const std::uint8_t* data, std::size_t size) const
@@ -289,6 +421,7 @@ NALSyntax MakeH264Syntax()
   syntax.LastParameterSet = 8;  // of a picture
   syntax.Delimiter = 9;
   syntax.Filler = 12;
+  syntax.Supplement = { 6 };
   syntax.MinimumRecordSize = 7;
   syntax.RecordLengthSizeOffset = 4;
   return syntax;
@@ -341,6 +474,7 @@ NALSyntax MakeHEVCSyntax()
   syntax.LastParameterSet = 34;  // of a picture
   syntax.Delimiter = 35;
   syntax.Filler = 38;
+  syntax.Supplement = { 39 << 1, 1 };
   syntax.MinimumRecordSize = 23;
   syntax.RecordLengthSizeOffset = 21;
   return syntax;
@@ -393,6 +527,7 @@ enum UnitType
   TemporalDelimiter = 2,
   FrameHeader = 3,
   TileGroup = 4,
+  Metadata = 5,
   Frame = 6,
   Padding = 15
 };
@@ -466,6 +601,22 @@ bool VisitUnits(const std::uint8_t* data, std::size_t size, Visit visit)
   return true;
 }
 
+/// How metadata for CSLF begin: those of ITU-T T.35, with a code of no country and of no extension
+/// (sections 6.7.1 and 6.7.2). FFmpeg's filters know no private metadata.
+constexpr std::array<std::uint8_t, 3> MetadataStart = { 4, 0xff, 0xff };
+
+/// The first byte of a unit of metadata that states its size.
+constexpr std::uint8_t MetadataHeader = Metadata << 3 | 2;
+
+/// What a unit carries for CSLF. False if it is another one.
+bool FindCarried(const Unit& unit, std::size_t& begin, std::size_t& end)
+{
+  begin = MetadataStart.size() + CarrierMark.size();
+  return unit.Type == Metadata && unit.PayloadSize > begin &&
+    std::equal(MetadataStart.begin(), MetadataStart.end(), unit.Payload) &&
+    FindCarried(unit.Payload, unit.PayloadSize, MetadataStart.size(), end);
+}
+
 class AV1Bitstream : public Bitstream
 {
 public:
@@ -474,6 +625,10 @@ public:
   bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
     std::uint32_t& crc) const override;
   std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
+  std::vector<std::uint8_t> Load(const std::vector<std::uint8_t>& packet,
+    const std::vector<unsigned char>& bytes) const override;
+  std::vector<unsigned char> Unload(
+    const std::uint8_t* data, std::size_t size, const Framing& framing) const override;
 
   /// The sequence header, which the first packet of each group contains.
   std::vector<std::uint8_t> FindParameterSets(const std::vector<std::uint8_t>& configuration,
@@ -509,6 +664,8 @@ bool AV1Bitstream::AddToCRC(
   const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
 {
   bool isOfTrack = true;
+  std::size_t begin = 0;
+  std::size_t end = 0;
   const auto add = [&](const Unit& unit)
   {
     if (unit.IsPicture())
@@ -519,7 +676,8 @@ bool AV1Bitstream::AddToCRC(
     {
       isOfTrack = isOfTrack &&
         (unit.Type == TemporalDelimiter || unit.Type == Padding ||
-          (unit.Type == SequenceHeader && framing.HasParameterSet(unit.AddTo(0))));
+          (unit.Type == SequenceHeader && framing.HasParameterSet(unit.AddTo(0))) ||
+          FindCarried(unit, begin, end));
     }
   };
   return VisitUnits(data, size, add) && isOfTrack;
@@ -537,6 +695,44 @@ std::vector<std::uint8_t> AV1Bitstream::Trim(const std::uint8_t* data, std::size
     }
   };
   return VisitUnits(data, size, add) ? needed : std::vector<std::uint8_t>();
+}
+
+std::vector<std::uint8_t> AV1Bitstream::Load(
+  const std::vector<std::uint8_t>& packet, const std::vector<unsigned char>& bytes) const
+{
+  std::vector<std::uint8_t> payload(MetadataStart.begin(), MetadataStart.end());
+  payload.insert(payload.end(), CarrierMark.begin(), CarrierMark.end());
+  payload.insert(payload.end(), bytes.begin(), bytes.end());
+  payload.push_back(TrailingBit);
+  std::vector<std::uint8_t> unit = { MetadataHeader };
+  std::size_t size = payload.size();
+  for (; size > 0x7f; size >>= 7)
+  {
+    unit.push_back(static_cast<std::uint8_t>(0x80 | (size & 0x7f)));
+  }
+  unit.push_back(static_cast<std::uint8_t>(size));
+  unit.insert(unit.end(), payload.begin(), payload.end());
+  // After the sequence header, with which the first packet of a group begins.
+  const std::size_t start = this->FindParameterSets({}, packet).size();
+  std::vector<std::uint8_t> loaded = packet;
+  loaded.insert(loaded.begin() + static_cast<std::ptrdiff_t>(start), unit.begin(), unit.end());
+  return loaded;
+}
+
+std::vector<unsigned char> AV1Bitstream::Unload(
+  const std::uint8_t* data, std::size_t size, const Framing&) const
+{
+  std::vector<unsigned char> bytes;
+  const auto take = [&](const Unit& unit)
+  {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    if (FindCarried(unit, begin, end))
+    {
+      bytes.insert(bytes.end(), unit.Payload + begin, unit.Payload + end);
+    }
+  };
+  return VisitUnits(data, size, take) ? bytes : std::vector<unsigned char>();
 }
 
 std::vector<std::uint8_t> AV1Bitstream::FindParameterSets(

@@ -68,14 +68,23 @@ public:
     const std::uint8_t* data, std::size_t size, Framing& framing) const = 0;
 
   /// Continues a CRC-32, begun as 0, with the coded picture data of a packet. False if the packet
-  /// has incomplete units, or units other than coded pictures, the track's parameter sets and units
-  /// that decoders skip. Others could change the decoded picture, and no checksum covers them.
+  /// has incomplete units, or units other than coded pictures, the track's parameter sets, units
+  /// that carry bytes for CSLF and units that decoders skip. Others could change the decoded
+  /// picture, and no checksum covers them.
   virtual bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
     std::uint32_t& crc) const = 0;
 
   /// A packet of an encoder without the units that decoders do not need. Empty if the packet has
   /// incomplete units.
   virtual std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const = 0;
+
+  /// An encoder's packet, after Trim, with a unit that carries bytes and that decoders ignore.
+  virtual std::vector<std::uint8_t> Load(
+    const std::vector<std::uint8_t>& packet, const std::vector<unsigned char>& bytes) const = 0;
+
+  /// The bytes that the units of a packet carry. None if the packet has incomplete units.
+  virtual std::vector<unsigned char> Unload(
+    const std::uint8_t* data, std::size_t size, const Framing& framing) const = 0;
 
   /// The parameter sets in an encoder's configuration or first packet, in the form for writers of
   /// containers.

@@ -171,6 +171,7 @@ std::unique_ptr<ContainerReader> ContainerReader::Open(
   {
     return nullptr;
   }
+  reader->ReadParts();
   return reader;
 }
 
@@ -276,6 +277,43 @@ bool ContainerReader::FindTracks(OpenError& failure)
     Refuse(failure, vtkErrorCode::FileFormatError,
       "it has " + std::to_string(this->Streams.size()) + " of its " + std::to_string(tracks) +
         " tracks");
+}
+
+// The parts in the first picture, one after the other.
+void ContainerReader::ReadParts()
+{
+  std::vector<unsigned char> bytes;
+  const Bitstream& bitstream = GetBitstream(this->Header.Tracks.front().Kind.Coding);
+  if (!this->Header.InPicture.empty())
+  {
+    const GroupPackets packets = this->Read(0);
+    for (const AVHandle<AVPacket>& packet : packets.Tracks.front())
+    {
+      if (packet->pts == 0)
+      {
+        bytes = bitstream.Unload(packet->data, static_cast<std::size_t>(std::max(packet->size, 0)),
+          this->Framings.front());
+      }
+    }
+    this->CarriedBytes = static_cast<std::int64_t>(bitstream.Load({}, bytes).size());
+  }
+  std::size_t begin = 0;
+  for (ListedPart& listed : this->Header.InPicture)
+  {
+    const std::size_t end = begin + std::min(listed.Count, bytes.size() - begin);
+    listed.Part.Bytes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+      bytes.begin() + static_cast<std::ptrdiff_t>(end));
+    begin = end;
+    if (listed.Matches(listed.Part.Bytes))
+    {
+      this->Header.Parts.push_back(std::move(listed.Part));
+    }
+    else
+    {
+      this->Header.Warnings.push_back(DescribeDamage(listed.Part));
+    }
+  }
+  this->Header.InPicture.clear();
 }
 
 int ContainerReader::FindTrack(const AVPacket* packet) const
@@ -422,6 +460,7 @@ std::vector<std::int64_t> ContainerReader::CountBytes()
     }
     av_packet_unref(packet.get());
   }
+  bytes.front() = std::max<std::int64_t>(0, bytes.front() - this->CarriedBytes);
   return bytes;
 }
 

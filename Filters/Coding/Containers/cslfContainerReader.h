@@ -82,7 +82,8 @@ public:
   /// Packets that are not found there are left out.
   GroupPackets Read(int group);
 
-  /// The size of all packets of each track, in bytes. Reads the whole file.
+  /// The size of all packets of each track, in bytes, without the parts that they carry. Reads the
+  /// whole file.
   std::vector<std::int64_t> CountBytes();
 
   /// Whether all packets of a group exist, with correct checksums and times in order. Several
@@ -101,6 +102,7 @@ private:
   bool OpenContainer(OpenError& failure);
   bool ReadHeader(OpenError& failure);
   bool FindTracks(OpenError& failure);
+  void ReadParts();
   void FindFirstTimes();
   bool ReadPacket(AVPacket* packet);
   bool SeekTo(int frame, Start start);
@@ -113,8 +115,9 @@ private:
   InputFile File;                       ///< the only one that is opened: it outlives the next two
   std::unique_ptr<PatchedFile> Patched; ///< without the file's impossible sizes
   AVInput Input;
-  bool HasBrokenIndex = false; ///< reading a packet may report a lack of memory falsely
-  bool HasFailed = false;      ///< a packet could not be read
+  bool HasBrokenIndex = false;   ///< reading a packet may report a lack of memory falsely
+  bool HasFailed = false;        ///< a packet could not be read
+  std::int64_t CarriedBytes = 0; ///< that the first picture has for the parts in it
   FileHeader Header;
   std::vector<int> GroupStarts;
   std::vector<int> Streams; ///< of each track

@@ -33,6 +33,7 @@ constexpr const char* MissingKey = "missing_groups";
 constexpr const char* RequiredKey = "required";
 constexpr const char* GeometryFeature = "geometry";
 constexpr const char* ComputedKey = "from_geometry";
+constexpr const char* EverythingName = "all";
 ///@}
 
 ///@{
@@ -327,13 +328,15 @@ void ReadComputed(const JSON& coding, bool isRequired, FileHeader& header)
     const bool isDepth = role == std::make_optional(DepthRole);
     const bool isCoverage = role == std::make_optional(CoverageRole);
     const bool isColor = role == std::make_optional(ColorRole);
-    if (!isDepth && !isCoverage && !isColor)
+    const bool isAll = name == EverythingName;
+    if (!isDepth && !isCoverage && !isColor && !isAll)
     {
       throw std::invalid_argument("it computes an unknown channel from its geometry");
     }
     header.Computed.HasDepth = header.Computed.HasDepth || isDepth;
     header.Computed.HasCoverage = header.Computed.HasCoverage || isCoverage;
     header.Computed.HasColor = header.Computed.HasColor || isColor;
+    header.Computed.IsAll = header.Computed.IsAll || isAll;
   }
   if (header.Computed.HasDepth != isRequired)
   {
@@ -343,7 +346,8 @@ void ReadComputed(const JSON& coding, bool isRequired, FileHeader& header)
   const bool hasDepth = header.Field.FindChannel(KnownChannel::Depth) != nullptr;
   const bool hasBytes = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
   if ((computed.HasDepth ? !hasDepth : computed.HasCoverage) ||
-    (computed.HasColor && !(computed.HasDepth && hasBytes)))
+    (computed.HasColor && !(computed.HasDepth && hasBytes)) ||
+    (computed.IsAll && !(computed.HasColor && computed.HasCoverage)))
   {
     throw std::invalid_argument("it computes other channels from its geometry than it has");
   }
@@ -379,19 +383,26 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
     std::find(required.begin(), required.end(), JSON(GeometryFeature)) != required.end(), header);
   ReadTracks(coding.at("tracks"), header);
   CheckTracks(header);
-  const std::size_t groups = header.Tracks.front().GroupCRCs.size();
-  header.Groups = ToGroups(coding.at("groups"), groups);
-  const bool equal = std::all_of(header.Tracks.begin(), header.Tracks.end(),
-    [groups](const CodedTrack& track) { return track.GroupCRCs.size() == groups; });
   const int slices = header.Field.Grid.GetSlices();
-  if (!equal || header.Groups.size() != groups ||
-    std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != slices)
+  header.Groups = ToGroups(coding.at("groups"),
+    header.Computed.IsAll ? static_cast<std::size_t>(slices)
+                          : header.Tracks.front().GroupCRCs.size());
+  const std::size_t groups = header.Groups.size();
+  const auto coded = static_cast<std::size_t>(header.GetCodedGroups());
+  const bool equal = groups > 0 &&
+    std::all_of(header.Tracks.begin(), header.Tracks.end(),
+      [coded](const CodedTrack& track) { return track.GroupCRCs.size() == coded; });
+  for (CodedTrack& track : header.Tracks)
+  {
+    track.GroupCRCs.resize(groups, 0);
+  }
+  if (!equal || std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != slices)
   {
     throw std::invalid_argument("its groups do not match the number of its viewpoints");
   }
   if (coding.contains(MissingKey))
   {
-    header.Missing = ToMissing(coding.at(MissingKey), static_cast<int>(groups));
+    header.Missing = ToMissing(coding.at(MissingKey), static_cast<int>(coded));
   }
   header.Slices = ToSlices(coding.at("order"), slices);
   if (header.Slices.empty())
@@ -407,7 +418,7 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   {
     const auto text = tags.find(PartsTagName);
     header.Parts = SplitParts(RequireArray(json.at(PartsKey)),
-      text == tags.end() ? std::string() : text->second, header.Warnings);
+      text == tags.end() ? std::string() : text->second, header.InPicture, header.Warnings);
   }
   return header;
 }
@@ -479,17 +490,17 @@ const Track* FileHeader::FindTrack(TrackRole role) const
 
 const FilePart* FileHeader::FindGeometry() const
 {
-  const auto found = std::find_if(this->Parts.begin(), this->Parts.end(),
-    [](const FilePart& part)
-    { return part.Type == GeometryPartType && part.Name == GeometryPartName; });
+  const auto found = std::find_if(
+    this->Parts.begin(), this->Parts.end(), [](const FilePart& part) { return part.IsGeometry(); });
   return found == this->Parts.end() ? nullptr : &*found;
 }
 
 HeaderTags FileHeader::ToTags() const
 {
   JSON tracks = JSON::array();
-  for (const CodedTrack& track : this->Tracks)
+  for (CodedTrack track : this->Tracks)
   {
+    track.GroupCRCs.resize(static_cast<std::size_t>(this->GetCodedGroups()));
     tracks.push_back(ToJSON(track));
   }
   JSON order = JSON::array();
@@ -517,11 +528,19 @@ HeaderTags FileHeader::ToTags() const
   {
     json[CodingKey][ComputedKey].push_back(NameOfRole(ColorRole));
   }
+  if (this->Computed.IsAll)
+  {
+    json[CodingKey][ComputedKey].push_back(EverythingName);
+  }
   HeaderTags tags;
   if (!this->Parts.empty())
   {
     json[PartsKey] = ListParts(this->Parts);
-    tags[PartsTagName] = JoinParts(this->Parts);
+    const std::string text = JoinParts(this->Parts);
+    if (!text.empty())
+    {
+      tags[PartsTagName] = text;
+    }
   }
   const std::string text = SealHeader(json.dump());
   for (const char* name : HeaderTagNames)

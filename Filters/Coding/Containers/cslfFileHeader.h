@@ -25,7 +25,7 @@ struct CodedTrack
 {
   Track Kind;
   std::uint32_t ParameterSetsCRC = 0;
-  std::vector<std::uint32_t> GroupCRCs; ///< one for each group
+  std::vector<std::uint32_t> GroupCRCs; ///< one for each group; those that are not coded have any
 };
 
 /// A video stream of the container, which contains a track.
@@ -41,6 +41,9 @@ struct ComputedChannels
   bool HasDepth = false;
   bool HasCoverage = false; ///< only together with depth
   bool HasColor = false;    ///< where the geometry has it, only together with depth
+  /// The geometry has all colours, and the others are computed, too: the file has only the first
+  /// group, whose frames have no meaning.
+  bool IsAll = false;
 };
 
 struct FileHeader
@@ -53,12 +56,19 @@ struct FileHeader
   std::vector<int> Groups;  ///< the number of frames of each group
   std::vector<int> Missing; ///< the groups that an unfinished file does not contain yet, ascending
   std::vector<FilePart> Parts;
+  std::vector<ListedPart> InPicture; ///< parts of a file that is being read, not in Parts yet
   ComputedChannels Computed;
   /// Warnings about a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;
 
   /// The first frame of each group, and one more: the number of frames.
   std::vector<int> GetGroupStarts() const;
+
+  /// How many of the first groups the file has when it is finished.
+  int GetCodedGroups() const
+  {
+    return this->Computed.IsAll ? 1 : static_cast<int>(this->Groups.size());
+  }
 
   /// The slices of the missing groups, ascending.
   std::vector<int> GetMissingSlices() const;

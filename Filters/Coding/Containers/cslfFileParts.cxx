@@ -42,14 +42,11 @@ bool IsUTF8(const std::string& text)
   }
 }
 
-/// What the header's list says about a part.
-struct ListedPart
-{
-  FilePart Part;
-  std::size_t Count = 0; ///< of its bytes
-  std::uint32_t CRC = 0;
-  bool IsInTag = false; ///< where this version expects it
-};
+/// The most bytes of a part in a picture.
+constexpr std::size_t MaximumPictureBytes = std::size_t(256) << 20;
+
+constexpr const char* TagKey = "tag";
+constexpr const char* FrameKey = "frame";
 
 ListedPart ToListedPart(const JSON& json)
 {
@@ -58,9 +55,12 @@ ListedPart ToListedPart(const JSON& json)
   listed.Part.Name = json.at("name").get<std::string>();
   listed.Count = ToInteger<std::size_t>(json.at("bytes"));
   listed.CRC = ToInteger<std::uint32_t>(json.at("crc"));
-  listed.IsInTag = json.at("tag") == PartsTagName;
+  using Places = ListedPart::Places;
+  listed.Place = json.contains(FrameKey)
+    ? (json.at(FrameKey) == 0 ? Places::Picture : Places::Unknown)
+    : (json.at(TagKey) == PartsTagName ? Places::Tag : Places::Unknown);
   if (listed.Part.Type.empty() || !IsShort(listed.Part.Type) || !IsShort(listed.Part.Name) ||
-    listed.Count > MaximumTagBytes)
+    listed.Count > (listed.Place == Places::Picture ? MaximumPictureBytes : MaximumTagBytes))
   {
     throw std::invalid_argument("a part has an invalid entry");
   }
@@ -71,6 +71,22 @@ std::string Describe(const FilePart& part)
 {
   return (part.Name.empty() ? "part" : "part \"" + part.Name + "\"") + " (" + part.Type + ")";
 }
+}
+
+bool FilePart::IsGeometry() const
+{
+  return this->Type == GeometryPartType && this->Name == GeometryPartName;
+}
+
+bool ListedPart::Matches(const std::vector<unsigned char>& bytes) const
+{
+  return bytes.size() == this->Count &&
+    IsExpected(ComputeCRC(bytes.data(), bytes.size()), this->CRC);
+}
+
+std::string DescribeDamage(const FilePart& part)
+{
+  return "its " + Describe(part) + " is damaged and left out";
 }
 
 std::string FindError(const std::vector<FilePart>& others, const FilePart& part)
@@ -88,7 +104,7 @@ std::string FindError(const std::vector<FilePart>& others, const FilePart& part)
     {
       return "There are two parts of the same type and name: " + Describe(part) + ".";
     }
-    bytes += CountTagBytes(other.Bytes.size());
+    bytes += other.IsGeometry() ? 0 : CountTagBytes(other.Bytes.size());
   }
   if (bytes > MaximumTagBytes || others.size() >= MaximumParts)
   {
@@ -104,7 +120,15 @@ JSON ListParts(const std::vector<FilePart>& parts)
   for (const FilePart& part : parts)
   {
     list.push_back({ { "type", part.Type }, { "name", part.Name }, { "bytes", part.Bytes.size() },
-      { "crc", ComputeCRC(part.Bytes.data(), part.Bytes.size()) }, { "tag", PartsTagName } });
+      { "crc", ComputeCRC(part.Bytes.data(), part.Bytes.size()) } });
+    if (part.IsGeometry())
+    {
+      list.back()[FrameKey] = 0;
+    }
+    else
+    {
+      list.back()[TagKey] = PartsTagName;
+    }
   }
   return list;
 }
@@ -112,15 +136,18 @@ JSON ListParts(const std::vector<FilePart>& parts)
 std::string JoinParts(const std::vector<FilePart>& parts)
 {
   std::string text;
-  for (std::size_t k = 0; k < parts.size(); ++k)
+  for (const FilePart& part : parts)
   {
-    text += (k == 0 ? "" : " ") + ToBase64(parts[k].Bytes.data(), parts[k].Bytes.size());
+    if (!part.IsGeometry())
+    {
+      text += (text.empty() ? "" : " ") + ToBase64(part.Bytes.data(), part.Bytes.size());
+    }
   }
   return text;
 }
 
-std::vector<FilePart> SplitParts(
-  const JSON& list, const std::string& text, std::vector<std::string>& warnings)
+std::vector<FilePart> SplitParts(const JSON& list, const std::string& text,
+  std::vector<ListedPart>& inPicture, std::vector<std::string>& warnings)
 {
   std::vector<FilePart> parts;
   std::size_t begin = 0;
@@ -137,7 +164,12 @@ std::vector<FilePart> SplitParts(
       warnings.emplace_back("its list of parts is invalid from one of its entries on");
       break;
     }
-    if (!listed.IsInTag)
+    if (listed.Place == ListedPart::Places::Picture)
+    {
+      inPicture.push_back(std::move(listed));
+      continue;
+    }
+    if (listed.Place == ListedPart::Places::Unknown)
     {
       warnings.push_back(
         "its " + Describe(listed.Part) + " is stored in a way that this version does not support");
@@ -146,14 +178,13 @@ std::vector<FilePart> SplitParts(
     const std::size_t length = CountTagBytes(listed.Count) - 1;
     const std::string digits = text.substr(std::min(begin, text.size()), length);
     begin += length + 1;
-    if (FromBase64(digits, listed.Count, listed.Part.Bytes) &&
-      IsExpected(ComputeCRC(listed.Part.Bytes.data(), listed.Count), listed.CRC))
+    if (FromBase64(digits, listed.Count, listed.Part.Bytes) && listed.Matches(listed.Part.Bytes))
     {
       parts.push_back(std::move(listed.Part));
     }
     else
     {
-      warnings.push_back("its " + Describe(listed.Part) + " is damaged and left out");
+      warnings.push_back(DescribeDamage(listed.Part));
     }
   }
   return parts;

@@ -341,7 +341,7 @@ int RateControl::GetExpectedTrials() const
 
 double RateControl::GetRawBytes() const
 {
-  return RawTexelBytes * Sum(this->Field.Frames) * this->Field.FrameTexels;
+  return RawTexelBytes * this->Field.FieldTexels;
 }
 
 double RateControl::GetMeanFactor() const

@@ -63,6 +63,7 @@ struct RateField
 {
   std::vector<int> Frames;  ///< of each group
   double FrameTexels = 0.0; ///< of one frame
+  double FieldTexels = 0.0; ///< of all viewpoints, also those that are not coded
   /// What the container holds beside the groups, without or with a coverage track.
   std::function<double(bool hasCoverage)> GetContainerBytes;
 };

@@ -23,6 +23,10 @@ GroupDecoder::GroupDecoder(
   {
     this->Conditions[group] = Condition::Missing;
   }
+  if (this->IsAllComputed())
+  {
+    std::fill(this->Conditions.begin(), this->Conditions.end(), Condition::Whole);
+  }
 }
 
 std::vector<int> GroupDecoder::GetSlices(int group) const
@@ -58,6 +62,10 @@ std::unique_ptr<const GroupPackets> GroupDecoder::Load(int group)
     return nullptr;
   }
   auto packets = std::make_unique<GroupPackets>();
+  if (this->IsAllComputed())
+  {
+    return packets;
+  }
   {
     const std::lock_guard<std::mutex> lock(this->ContainerMutex);
     *packets = this->Container->Read(group);
@@ -95,11 +103,38 @@ bool GroupDecoder::LoadAndDecode(const GroupRequest& request, bool alone)
     this->Clear(request);
     return false;
   }
-  return alone ? this->DecodeAlone(request, *packets) : this->DecodeTracks(request, *packets);
+  return alone || this->IsAllComputed() ? this->DecodeAlone(request, *packets)
+                                        : this->DecodeTracks(request, *packets);
+}
+
+bool GroupDecoder::ComputeAll(const GroupRequest& request)
+{
+  this->Clear(request);
+  std::atomic<bool> isComputed{ true };
+  ParallelFor(0, static_cast<vtkIdType>(request.Slices.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType place = begin; place < end; ++place)
+      {
+        if (!request.Slices[place].IsEmpty() && !this->Compute(request, static_cast<int>(place)))
+        {
+          isComputed = false;
+        }
+      }
+    });
+  if (!isComputed)
+  {
+    this->Clear(request);
+  }
+  return isComputed;
 }
 
 bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& packets)
 {
+  if (this->IsAllComputed())
+  {
+    return this->ComputeAll(request);
+  }
   Workers workers;
   std::vector<const AVFrame*> frames(packets.Tracks.size());
   bool isGood = true;

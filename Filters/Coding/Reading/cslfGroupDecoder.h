@@ -85,6 +85,10 @@ private:
   Condition GetCondition(int group);
   void SetCondition(int group, bool isWhole);
   bool LoadAndDecode(const GroupRequest& request, bool alone);
+
+  /// Whether the geometry tells all, so that no frame is decoded.
+  bool IsAllComputed() const { return this->GetHeader().Computed.IsAll; }
+  bool ComputeAll(const GroupRequest& request);
   bool Finish(const GroupRequest& request, bool isGood, Workers& workers);
   std::unique_ptr<Worker> Begin(
     std::size_t track, const GroupRequest& request, const GroupPackets& packets);

@@ -248,7 +248,8 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     this->Try([this] { return this->TryGeometry(); });
   }
   const ComputedChannels& chosen = this->Plan.GetComputed();
-  int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0) + (chosen.HasColor ? 4 : 0);
+  int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0) +
+    (chosen.HasColor ? 4 : 0) + (chosen.IsAll ? 8 : 0);
   if (!this->Agree({}, &choice))
   {
     return false;
@@ -264,7 +265,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     if (this->Peers.GetRank() != 0)
     {
       this->Plan = GeometryPlan({ text.begin(), text.end() }, this->Input->GetField(),
-        { true, (choice & 2) != 0, (choice & 4) != 0 });
+        { true, (choice & 2) != 0, (choice & 4) != 0, (choice & 8) != 0 });
     }
   }
   return true;
@@ -514,7 +515,7 @@ bool EncodeSession::FinishFile()
   const double bytes =
     static_cast<double>(std::filesystem::file_size(ToPath(this->Job.FileName), ignored));
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
-    this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR,
+    this->Plan.TellsAll() ? 0.0 : this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR,
     this->Plan.GetComputed().HasDepth, this->Plan.GetFit().GetLoss(),
     this->Plan.GetComputed().HasColor ? this->Plan.GetFit().GetColorShare() : 0.0 };
   return true;

@@ -100,13 +100,14 @@ void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const 
 std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 5 }, { "cslf", CSLF_VERSION },
+  const nlohmann::json manifest = { { "version", 6 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
     { "description", this->Header.Field.ToJSON() },
     { "measured",
       { { "sample", checksum }, { "geometry", plan.GetChecksum() },
         { "computes_coverage", plan.GetComputed().HasCoverage },
-        { "computes_color", plan.GetComputed().HasColor } } },
+        { "computes_color", plan.GetComputed().HasColor },
+        { "computes_all", plan.GetComputed().IsAll } } },
     { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
     { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
@@ -119,7 +120,9 @@ std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan
 RateField FieldWriter::GetRateField() const
 {
   const Layout& grid = this->Header.Field.Grid;
-  return { this->Header.Groups, 1.0 * grid.GetStripWidth() * grid.GetResolution(),
+  const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution();
+  const auto begin = this->Header.Groups.begin();
+  return { { begin, begin + this->GetGroupCount() }, texels, texels * grid.GetSlices(),
     [this](bool hasCoverage) { return this->GetContainerBytes(hasCoverage); } };
 }
 
@@ -139,7 +142,7 @@ double FieldWriter::GetContainerBytes(bool hasCoverage) const
   {
     sum += static_cast<double>(text.size());
   }
-  return sum;
+  return sum + static_cast<double>(this->Carry({}).size());
 }
 
 bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
@@ -416,6 +419,15 @@ bool FieldWriter::Finish(bool replaces, const std::function<bool(double)>& progr
     this->Parts.Publish(replaces, warning, error);
 }
 
+/// The first picture's packet, together with the geometry.
+std::vector<std::uint8_t> FieldWriter::Carry(const std::vector<std::uint8_t>& packet) const
+{
+  const FilePart* geometry = this->Header.FindGeometry();
+  return geometry
+    ? GetBitstream(this->Header.Tracks.front().Kind.Coding).Load(packet, geometry->Bytes)
+    : packet;
+}
+
 /// Joins the stored groups.
 bool FieldWriter::Join(
   const std::string& fileName, const std::function<bool(double)>& progress, std::string& error)
@@ -431,17 +443,20 @@ bool FieldWriter::Join(
   }
   good = good && container.Begin(error);
   const std::vector<int> starts = this->Header.GetGroupStarts();
-  for (std::size_t group = 0; good && group < this->Header.Groups.size(); ++group)
+  for (int group = 0; good && group < this->GetGroupCount(); ++group)
   {
-    const int number = static_cast<int>(group);
-    const std::size_t tracks = this->IsMissing(number) ? 0 : this->States.size();
+    const std::size_t tracks = this->IsMissing(group) ? 0 : this->States.size();
     for (std::size_t track = 0; good && track < tracks; ++track)
     {
       CodedGroup part;
-      good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, number, part, error) &&
-        container.Write(track, starts[group], this->Delay, part, error);
+      good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, group, part, error);
+      if (good && group == 0 && track == 0)
+      {
+        part.Frames.front().Data = this->Carry(part.Frames.front().Data);
+      }
+      good = good && container.Write(track, starts[group], this->Delay, part, error);
     }
-    if (good && !progress(static_cast<double>(group + 1) / this->Header.Groups.size()))
+    if (good && !progress((group + 1.0) / this->GetGroupCount()))
     {
       error = Stopped;
       good = false;

@@ -29,7 +29,7 @@ public:
   FieldWriter(const std::string& fileName, const EncodeSettings& settings);
 
   /// The number of groups, after Begin.
-  int GetGroupCount() const { return static_cast<int>(this->Header.Groups.size()); }
+  int GetGroupCount() const { return this->Header.GetCodedGroups(); }
 
   /// The number of frames of a group.
   int GetFrames(int group) const { return this->Header.Groups[group]; }
@@ -139,6 +139,7 @@ private:
   };
 
   std::string MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const;
+  std::vector<std::uint8_t> Carry(const std::vector<std::uint8_t>& packet) const;
   bool Join(
     const std::string& fileName, const std::function<bool(double)>& progress, std::string& error);
   double GetStoredBytes() const;

@@ -60,6 +60,7 @@ GeometryPlan::GeometryPlan(
     this->Computed = computed;
     this->Computed.HasColor = computed.HasColor && this->Texels->HasColors() &&
       field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
+    this->Computed.IsAll = computed.IsAll && this->Computed.HasColor;
     this->Checksum =
       static_cast<std::uint32_t>(crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
   }
@@ -87,6 +88,8 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
     isDone && fit.Texels > 0 && fit.GetLoss() <= MaximumLoss ? std::move(plan) : GeometryPlan();
   plan.Computed.HasColor =
     plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
+  plan.Computed.IsAll =
+    plan.Computed.HasCoverage && plan.Computed.HasColor && plan.Texels->AreAllExact();
   plan.Tried = fit;
   return plan;
 }

@@ -49,10 +49,7 @@ public:
   const ComputedChannels& GetComputed() const { return this->Computed; }
 
   /// Whether readers compute all texels, so that no viewpoint is needed for coding.
-  bool TellsAll() const
-  {
-    return this->Computed.HasCoverage && this->Computed.HasColor && this->Texels->AreAllExact();
-  }
+  bool TellsAll() const { return this->Computed.IsAll; }
 
   /// Of the viewpoints that Choose got.
   const GeometryFit& GetFit() const { return this->Tried; }
