@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <iostream>
 #include <vector>
 
 namespace
@@ -148,6 +149,43 @@ void TestOcclusion()
   CSLF_CHECK_NEAR(std::sqrt(squares / hits), 0.0, 0.015);
 }
 
+/// Points of a cloud, which reach into each other: their gaps must not darken what is seen.
+void TestCrowd()
+{
+  cslf::Mesh crowd;
+  crowd.Shape = cslf::Mesh::Shapes::Spheres;
+  crowd.Material = MakeDiffuse(Reflectance);
+  for (const cslf::Ray& ray : MakeRays(1000))
+  {
+    crowd.Vertices.push_back(0.2f * ray.Origin);
+    crowd.Radii.push_back(0.03f);
+  }
+  const cslf::Scene scene({ crowd }, cslf::testing::MakeUniformLight(1.0f));
+  for (const int samples : { 32, 512 })
+  {
+    cslf::CacheSettings settings = MakeSettings(0.02f);
+    settings.Samples = samples;
+    cslf::RadianceCache cache(scene, settings);
+    CSLF_CHECK(cache.Build([](double) { return true; }));
+    double difference = 0.0;
+    double sum = 0.0;
+    for (const cslf::Ray& ray : MakeRays(600))
+    {
+      const cslf::Hit hit = scene.Intersect(ray);
+      glm::vec3 radiance(0.0f);
+      if (hit.IsValid() && cache.LookUpShape(ray, hit, radiance))
+      {
+        const double truth = cslf::testing::Trace(scene, ray, {}, 1 << 9).Mean;
+        difference += radiance.x - truth;
+        sum += truth;
+      }
+    }
+    std::cout << samples << " samples: " << 100.0 * difference / sum << " % brighter\n";
+    CSLF_CHECK(sum > 100.0);
+    CSLF_CHECK_NEAR(difference / sum, 0.0, 0.02);
+  }
+}
+
 /// A ball within a half-transparent one, whose inside is no reason to leave out a sample.
 void TestVeil()
 {
@@ -227,6 +265,7 @@ int TestCSLFRadianceCacheShapes(int, char*[])
     TestGradient(cone, spacing);
   }
   TestOcclusion();
+  TestCrowd();
   TestVeil();
   TestWhatIsNotStored();
   TestCells();

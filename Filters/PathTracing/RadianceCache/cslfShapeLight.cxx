@@ -24,6 +24,11 @@ namespace
 // The weight of the assumption that light is constant in a cell, in samples.
 constexpr double Stiffness = 2.0;
 
+// Where shapes reach into each other, light falls steeply into gaps that views hardly see. A sample
+// has this weight if a ray from its point, in another direction than the path's, ends within the
+// shape's width, so that fits err least where most is seen.
+constexpr float GapWeight = 0.03f;
+
 // The fewest samples of a cell.
 constexpr int MinimumSamples = 16;
 
@@ -36,6 +41,7 @@ struct Sample
   std::uint32_t Cell = ShapeLayout::None;
   ShapeFit::Terms Terms{};
   glm::vec3 Light{ 0.0f };
+  float Weight = 1.0f; ///< for the fit
 };
 
 /// The samples of one batch of paths, which one rank takes.
@@ -49,18 +55,21 @@ struct Moments
 {
   double Products[ShapeFit::Count][ShapeFit::Count] = {};
   double Light[3][ShapeFit::Count] = {};
+  int Count = 0;
 
   void Add(const Sample& sample)
   {
+    ++this->Count;
     for (int i = 0; i < ShapeFit::Count; ++i)
     {
+      const double weighted = sample.Weight * sample.Terms[i];
       for (int j = 0; j <= i; ++j)
       {
-        this->Products[i][j] += sample.Terms[i] * sample.Terms[j];
+        this->Products[i][j] += weighted * sample.Terms[j];
       }
       for (int channel = 0; channel < 3; ++channel)
       {
-        this->Light[channel][i] += sample.Terms[i] * sample.Light[channel];
+        this->Light[channel][i] += weighted * sample.Light[channel];
       }
     }
   }
@@ -68,7 +77,7 @@ struct Moments
   ShapeFit Solve() const
   {
     ShapeFit fit;
-    if (this->Products[0][0] < MinimumSamples)
+    if (this->Count < MinimumSamples)
     {
       return fit;
     }
@@ -81,7 +90,7 @@ struct Moments
       {
         matrix[i][j] = this->Products[std::max(i, j)][std::min(i, j)];
       }
-      matrix[i][i] += i > 0 ? Stiffness : 0.0;
+      matrix[i][i] += i > 0 ? Stiffness * this->Products[0][0] / this->Count : 0.0;
     }
     int order[ShapeFit::Count];
     double scratch[ShapeFit::Count];
@@ -168,7 +177,7 @@ public:
     }
     std::uint64_t rays = 0;
     this->Paths.Follow(batch, rays);
-    this->Rays += rays;
+    this->Rays += rays + starts.size();
     for (std::size_t path = 0; path < starts.size(); ++path)
     {
       const Start& start = starts[path];
@@ -227,11 +236,27 @@ private:
     start.Index = number;
     start.Pdf = CosineHemispherePdf(direction);
     start.Normal = surface.GetReceiverNormal();
+    sample.Weight = this->GetWeight(unit, surface, frame, MixBits(hash + 1, number));
     sample.Cell = place.Cell;
     sample.Terms = ShapeFit::MakeTerms(surface.ShadingNormal, place.Offset);
     starts.push_back(
       { &sample, start.First, glm::vec3(reflection.GetDiffuse().GetTransmission(direction.z)) });
     batch.Add(start);
+  }
+
+  /// How much a point of a unit's counts.
+  float GetWeight(
+    std::size_t unit, const SurfaceHit& surface, const Frame& frame, std::uint64_t bits) const
+  {
+    constexpr float step = 0x1p-24f;
+    const glm::vec2 numbers(
+      step * static_cast<float>(bits & 0xffffff), step * static_cast<float>(bits >> 40));
+    const Ray ray{ surface.LeavePosition, frame.ToWorld(SampleCosineHemisphere(numbers)) };
+    const ShapeLayout::Unit& box = this->Layout.GetUnits()[unit];
+    const glm::vec3 size = box.Edges * glm::vec3(box.Cells);
+    const Hit hit = this->World.Intersect(ray);
+    const bool isInGap = hit.IsValid() && hit.Distance < std::min({ size.x, size.y, size.z });
+    return isInGap ? GapWeight : 1.0f;
   }
 
   /// Whether a ray does not start within another body, where no light is seen from outside.
