@@ -203,7 +203,8 @@ void vtkCSLFPathTracer::ReportCache()
       << 100.0 * check.MeanError << " %; bound 2 %), and its displayed colours by " << check.RMS
       << " of white in the root mean square (+- " << check.RMSError << "; bound "
       << cslf::CacheCheck::GetRMSBound(tolerance)
-      << "). Use a smaller Tolerance or Spacing or more Samples in CacheOptions, or path tracing.");
+      << "). Use a smaller tolerance or spacing or more samples of the cache (CacheOptions, in the "
+         "tool --cache-tolerance and its kin), or path tracing.");
   }
 }
 

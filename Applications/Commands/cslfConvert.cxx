@@ -140,7 +140,14 @@ Result Resample(const Options& options)
   resample->SetInputConnection(file.Reader->GetOutputPort());
   resample->SetResolutionDivisor(options.ResolutionDivisor);
   resample->SetViewpointStride(options.ViewpointStride);
-  return Write(options, writer, file, resample->GetOutputPort(), "Resampling", true);
+  Result result = Write(options, writer, file, resample->GetOutputPort(), "Resampling", true);
+  if (IsFirstRank() && writer.GetFormat() == FieldFormat::Video &&
+    CountBytes(options.Output) > CountBytes(options.Input.FileName))
+  {
+    AddWarning(options.Output + " is coarser than " + options.Input.FileName +
+      ", but larger: specify --crf or --target-size, or keep the original.");
+  }
+  return result;
 }
 
 /// Adds the option that lets a field without geometry get one.

@@ -210,6 +210,11 @@ private:
   void ReadVertex()
   {
     const auto& numbers = this->ReadNumbers(3, 7);
+    if (numbers.size() == 5)
+    {
+      this->Fail(
+        "has neither a weight nor a colour after its coordinates", this->Lines.GetNumber());
+    }
     this->Found.Vertices.push_back({ numbers[0], numbers[1], numbers[2] });
     auto& colors = this->Found.Colors;
     if (numbers.size() >= 6)

@@ -122,6 +122,9 @@ constexpr ImportLimitText Texts[] = {
     "`vtkCSLFSceneImporter`; those of glyphs are scaled by the glyph's size relative to the median "
     "glyph",
     false },
+  { ImportLimit::LineNormals, "points, lines and edges that have normals",
+    "lit by their normals: black where these point away",
+    "spheres and tubes, lit by their own shape", false },
   { ImportLimit::StickEnds,
     "ends of sticks, of molecules' bonds and of lines drawn as tubes",
     "flat",

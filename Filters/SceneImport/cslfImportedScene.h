@@ -56,6 +56,7 @@ enum class ImportLimit
   PropertyTextures,
   TexturedTables,
   Widths,
+  LineNormals,
   StickEnds,
   Diagonals,
   Coplanar,

@@ -104,6 +104,9 @@ expect_json(geometry parts 0 name)
 cslf_fail("Nothing would change" "still" resample plain.vti -o still.vti)
 cslf_run(resample plain.vti -o still.vti --resolution-divisor 2)
 expect_file(still.geometry.vtp OFF)
+cslf_run(encode flat.vti -o small.mp4 --crf 51)
+cslf_warn("larger.mp4 is coarser than small.mp4, but larger"
+  resample small.mp4 -o larger.mp4 --viewpoint-stride 2 --crf 0)
 
 # It may be read by those only who may read the field.
 if (CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")

@@ -28,9 +28,9 @@ expect_points(far.stl)
 
 # What is not a finite number is refused, as are lines with too few.
 foreach (line IN ITEMS "v 0 0 nan" "v -inf 0 0" "v 0 0,5 0" "v 0 one 0" "v 1e999 0 0" "v 0 0 0x10"
-         "v 0 0" "vn 0 0 +-1" "vn 0 0" "vt 1.0.0" "vt")
+         "v 0 0" "v 0 0 0 1 1" "vn 0 0 +-1" "vn 0 0" "vt 1.0.0" "vt")
   file(WRITE "${DIRECTORY}/bad.obj" "${points}${line}\n${faces}")
-  cslf_fail("Cannot read bad.obj: line 5 has (a value that is not a finite number|too few values)"
+  cslf_fail("Cannot read bad.obj: line 5 has (a value that is not a finite number|too few values|neither)"
     "x" export bad.obj -o x.obj)
 endforeach ()
 foreach (value IN ITEMS nan 1,5 "")
