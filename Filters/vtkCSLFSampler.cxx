@@ -307,7 +307,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     {
       // Rays may pass veils before the surfaces, which only the viewpoints show. And the colours
       // were fitted to be interpolated as sRGB, but floats are interpolated as they are.
-      colors.AreExact = {};
+      colors.Exact = {};
     }
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
@@ -350,7 +350,7 @@ std::optional<cslf::Geometry> vtkCSLFSampler::MakeSurface(const cslf::BuiltScene
 bool vtkCSLFSampler::RenderSides(
   const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors)
 {
-  colors.AreExact = geometry.Colors.AreExact;
+  colors.Exact = geometry.Colors.Exact;
   for (std::size_t side = 0; side < colors.Sides.size(); ++side)
   {
     const auto& [points, rays] = geometry.Sides[side];

@@ -28,15 +28,15 @@
  * the normal. `BackColor` is that of the back, where corners run
  * clockwise; there is none if nobody sees any back. Surfaces that look the same from all directions
  * have as many triangles as their light needs, within the limit, so that it can be interpolated;
- * where that shows them well, `ExactColor` is 1 (two components, of the front and the back), and
- * mappers ask no viewpoint. Field data holds `GeometryError`, the root mean
- * square distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share
- * of them that is more than a texel away and does not count in the former. Above 0.2, the filter
- * warns, and mappers do not use it. Surfaces that are translucent, or visible from one side only,
- * are not in it: the filter warns of them, `GeometryOpaqueLoss`, that of the others, takes the
- * place of `GeometryLoss`, and mappers look them up by depth. Update() makes it with the field, and
- * Update(1) makes it alone. Consumers that request parts of the field do not make it. It is made
- * once, until something changes.
+ * where that shows them well, `ExactColor` is 1 or, if it is brighter than white, more (two
+ * components, of the front and the back), and mappers ask no viewpoint. Field data holds
+ * `GeometryError`, the root mean square distance of the scene's visible surfaces from the
+ * triangles, and `GeometryLoss`, the share of them that is more than a texel away and does not
+ * count in the former. Above 0.2, the filter warns, and mappers do not use it. Surfaces that are
+ * translucent, or visible from one side only, are not in it: the filter warns of them,
+ * `GeometryOpaqueLoss`, that of the others, takes the place of `GeometryLoss`, and mappers look
+ * them up by depth. Update() makes it with the field, and Update(1) makes it alone. Consumers that
+ * request parts of the field do not make it. It is made once, until something changes.
  *
  * The cube must strictly contain the scene; otherwise the filter reports an error.
  *

@@ -6,12 +6,14 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfClosedParts.h"
+#include "cslfColor.h"
 
 #include <vtkDataArray.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -30,18 +32,40 @@ std::vector<glm::vec4> GetColors(vtkDataArray* array)
   return colors;
 }
 
+/// The sRGB-encoded colour of a brighter surface.
+float Brighten(float color, double factor)
+{
+  const double light = factor * SRGBToLinear(color);
+  return static_cast<float>(
+    light > 1.0 ? 1.055 * std::pow(light, 1.0 / 2.4) - 0.055 : LinearToSRGB(light));
+}
+
 /// Colours are associated with alpha, which is 1 for those that are exact, and half of that or less
-/// for others.
+/// for others. Exact ones become as bright as their surface.
 void MarkExact(const PointColorArrays& arrays, bool isBack, std::vector<glm::vec4>& colors)
 {
   for (std::size_t i = 0; i < colors.size(); ++i)
   {
     if (colors[i].w > 0.0f)
     {
+      const auto point = static_cast<vtkIdType>(i);
       colors[i] /= colors[i].w;
-      colors[i] *= arrays.IsExact(static_cast<vtkIdType>(i), isBack) ? 1.0f : 0.5f;
+      colors[i] *= arrays.IsExact(point, isBack) ? 1.0f : 0.5f;
+      const double brightness = arrays.GetBrightness(point, isBack);
+      for (int c = 0; brightness > 1.0 && c < 3; ++c)
+      {
+        colors[i][c] = Brighten(colors[i][c], brightness);
+      }
     }
   }
+}
+
+bool AreBright(const std::vector<glm::vec4>& colors)
+{
+  return std::any_of(colors.begin(), colors.end(),
+    [](const glm::vec4& color) {
+      return std::max({ color.x, color.y, color.z }) > 1.0f;
+    });
 }
 
 /// After MarkExact.
@@ -87,6 +111,8 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   {
     MarkExact(colors, false, mesh->Colors);
     MarkExact(colors, true, mesh->BackColors);
+    mesh->IsBright = colors.Front->GetDataType() == VTK_UNSIGNED_CHAR &&
+      (AreBright(mesh->Colors) || AreBright(mesh->BackColors));
   }
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = IsCompleteGeometry(geometry);

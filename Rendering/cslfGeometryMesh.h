@@ -36,6 +36,7 @@ struct GeometryMesh
 
   /// Whether all points have a colour, and whether any of these is exact.
   bool HasColors = false;
+  bool IsBright = false; ///< some exact colours are above 1
   bool HasExactColors = false;
 
   /// Whether it has all surfaces: rays that miss it see none.

@@ -273,12 +273,14 @@ void LookupPicture::Allocate(const FieldTexture& field)
 {
   this->Tools->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
-  using Steps = LookupTarget::ColorSteps;
-  const Steps steps = isByte ? Steps::Bytes : Steps::Floats;
+  const bool isBright = this->IsOnGeometry && this->Current.Geometry->IsBright;
+  const ColorSteps steps = !isByte ? ColorSteps::Floats
+    : isBright                     ? ColorSteps::Halves
+                                   : ColorSteps::Bytes;
   const bool isMean = this->Samples > 1;
   this->GetTarget().Allocate(this->Window,
     isMean ? std::array<int, 2>{ this->Area[2], this->Area[3] } : this->Size,
-    isByte && this->Sets > 0 ? Steps::Halves : steps, this->IsSearched && !isMean);
+    isByte && this->Sets > 0 ? ColorSteps::Halves : steps, this->IsSearched && !isMean);
   if (isMean)
   {
     this->Tools->Rays.Allocate(this->Window, this->Size, steps, this->IsSearched);
@@ -390,7 +392,7 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
   this->Tools->Surfaces.Draw(this->Window, this->Tools->Framebuffer, this->Current.Geometry,
     this->GetRows(), this->Current.IsEyeInside, this->Current.ClippingPlanesCC, this->Size,
-    this->GetRays().Colors->GetVTKDataType());
+    this->GetRays().Steps);
   this->Tools->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->Tools->OnSurface, SurfaceMark);

@@ -63,6 +63,16 @@ bool IsCut(const DisplayRows& ccdc)
   return false;
 }
 
+void AllocateColors(
+  vtkTextureObject* texture, unsigned int width, unsigned int height, ColorSteps steps)
+{
+  if (steps == ColorSteps::Halves)
+  {
+    texture->SetInternalFormat(GL_RGBA16F);
+  }
+  texture->Allocate2D(width, height, 4, steps == ColorSteps::Bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+}
+
 /// Whether what is counterclockwise appears clockwise. Display coordinates are left-handed.
 bool IsMirrored(const DisplayRows& ccdc)
 {
@@ -75,14 +85,14 @@ SurfacePicture::SurfacePicture() = default;
 SurfacePicture::~SurfacePicture() = default;
 
 void SurfacePicture::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType)
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps)
 {
-  if (this->Size == size && this->Points->GetHandle() != 0 &&
-    this->Colors->GetVTKDataType() == colorType)
+  if (this->Size == size && this->Points->GetHandle() != 0 && this->Steps == steps)
   {
     return;
   }
   this->Size = size;
+  this->Steps = steps;
   for (vtkTextureObject* texture : { this->Points.Get(), this->Colors.Get(), this->Depths.Get() })
   {
     texture->ReleaseGraphicsResources(window);
@@ -96,7 +106,7 @@ void SurfacePicture::Allocate(
   const auto width = static_cast<unsigned int>(size[0]);
   const auto height = static_cast<unsigned int>(size[1]);
   this->Points->Allocate2D(width, height, 4, VTK_FLOAT);
-  this->Colors->Allocate2D(width, height, 4, colorType);
+  AllocateColors(this->Colors, width, height, steps);
   this->Depths->AllocateDepth(width, height, vtkTextureObject::Float32);
 }
 
@@ -142,10 +152,10 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
 
 void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
   const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
-  const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, int colorType)
+  const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, ColorSteps steps)
 {
   vtkOpenGLState* state = window->GetState();
-  this->Allocate(window, size, colorType);
+  this->Allocate(window, size, steps);
   const bool isNew = std::exchange(this->Mesh, mesh) != mesh;
   if (isNew)
   {
@@ -275,12 +285,7 @@ void LookupTarget::Allocate(
   allocate(this->Colors, this->Steps == steps, vtkTextureObject::Linear,
     [&]
     {
-      if (steps == ColorSteps::Halves)
-      {
-        this->Colors->SetInternalFormat(GL_RGBA16F);
-      }
-      const int type = steps == ColorSteps::Bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
-      this->Colors->Allocate2D(width, height, 4, type);
+      AllocateColors(this->Colors, width, height, steps);
       this->Steps = steps;
     });
   allocate(this->Depths, true, vtkTextureObject::Nearest,

@@ -32,6 +32,14 @@ class vtkShaderProgram;
 
 namespace cslf
 {
+/// How fine the steps of a texture's colours are.
+enum class ColorSteps
+{
+  Bytes,
+  Halves, ///< half floats, for means of several pictures and for what is brighter than white
+  Floats
+};
+
 /// Textures with the points and colours of cslfSurface.glsl. Belongs to one render
 /// window's context at a time.
 class SurfacePicture
@@ -43,10 +51,10 @@ public:
   SurfacePicture& operator=(const SurfacePicture&) = delete;
 
   /// Draws a mesh, except where any of the planes is negative. Closed parts hide their backs if the
-  /// eye is outside of the cube. Colours have that type. Binds the framebuffer.
+  /// eye is outside of the cube. Binds the framebuffer.
   void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
-    const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, int colorType);
+    const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, ColorSteps steps);
 
   /// Binds the textures to texture units, until Deactivate.
   void Activate();
@@ -59,13 +67,14 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType);
+  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps);
   void Upload();
   void Build(vtkOpenGLRenderWindow* window, std::size_t planes);
   void DrawTriangles(vtkOpenGLState* state, bool hidesBacks);
 
   std::shared_ptr<const GeometryMesh> Mesh; ///< that was uploaded
   std::array<int, 2> Size{ 0, 0 };
+  ColorSteps Steps = ColorSteps::Bytes;
   std::size_t Planes = 0; ///< of the program
   vtkNew<vtkTextureObject> Points;
   vtkNew<vtkTextureObject> Colors;
@@ -81,14 +90,6 @@ struct Description;
 /// Textures that a lookup draws to.
 struct LookupTarget
 {
-  /// How fine the steps of colours are.
-  enum class ColorSteps
-  {
-    Bytes,
-    Halves, ///< half floats, for means of several pictures
-    Floats
-  };
-
   std::array<int, 2> Size{ 1, 1 };
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;

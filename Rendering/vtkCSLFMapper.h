@@ -240,7 +240,7 @@ public:
    * The field's geometry, which is optional: where its surfaces are, in the field's world
    * coordinates. Its triangles are drawn with the colours of the viewpoints that see them, so they
    * need not be those of the sampled scene, but each must lie on its surfaces. Point data `Color`,
-   * as the field has it, is for what no viewpoint sees, and where `ExactColor` is 1 (two
+   * as the field has it, is for what no viewpoint sees, and where `ExactColor` is above 0 (two
    * components, of the front and the back), in place of the viewpoints. `BackColor`, if there is
    * one of the same type, is that of the side where corners run clockwise. In a pipeline, use
    * SetInputConnection with port 1.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfColorFit.h"
 
+#include "Pipeline/cslfGeometryArrays.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -467,11 +469,36 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
   return areExact;
 }
 
+// What is brighter than white is so in all triangles around a value.
+std::array<std::vector<unsigned char>, 2> ColorFit::FindExactCodes() const
+{
+  const std::array<std::vector<char>, 2> areExact = this->FindExact();
+  std::array<std::vector<unsigned char>, 2> codes;
+  for (const int side : { 0, 1 })
+  {
+    std::vector<float> brightness(this->Places.size(), 0.0f);
+    for (std::size_t i = 0; i < this->Values.size(); ++i)
+    {
+      const float found = this->Samples[i].Brightness[side];
+      for (int k = 0; this->Samples[i].Sides[side].Weight > 0.0f && k < 3; ++k)
+      {
+        float& least = brightness[this->Values[i][k]];
+        least = least == 0.0f ? found : std::min(least, found);
+      }
+    }
+    for (std::size_t value = 0; value < brightness.size(); ++value)
+    {
+      codes[side].push_back(areExact[side][value] ? ToExactCode(brightness[value]) : 0);
+    }
+  }
+  return codes;
+}
+
 SideColors ColorFit::Finish()
 {
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
-  const std::array<std::vector<char>, 2> areExact = this->FindExact();
+  const std::array<std::vector<unsigned char>, 2> exact = this->FindExactCodes();
   for (const int side : { 0, 1 })
   {
     areKnown[side].assign(count, 0);
@@ -488,7 +515,7 @@ SideColors ColorFit::Finish()
     for (const int side : { 0, 1 })
     {
       const glm::vec3 difference = glm::abs(this->Colors[side][a] - this->Colors[side][b]);
-      if (areKnown[side][a] != areKnown[side][b] || areExact[side][a] != areExact[side][b] ||
+      if (areKnown[side][a] != areKnown[side][b] || exact[side][a] != exact[side][b] ||
         (areKnown[side][a] &&
           std::max({ difference.x, difference.y, difference.z }) > MaximumDifference))
       {
@@ -530,7 +557,7 @@ SideColors ColorFit::Finish()
       result.Sides[side].push_back(areKnown[side][value]
           ? glm::vec4(this->Settings.ClampsColors ? glm::min(color, glm::vec3(1.0f)) : color, 1.0f)
           : glm::vec4(0.0f));
-      result.AreExact[side].push_back(areExact[side][value]);
+      result.Exact[side].push_back(exact[side][value]);
     }
   }
   for (const glm::uvec3& corners : this->Values)

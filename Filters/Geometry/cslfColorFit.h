@@ -114,7 +114,9 @@ struct TriangleSamples
   SampleSums Sides[2]; ///< the front, where corners run counterclockwise, and the back
   bool AreComplete[2] = { true, true }; ///< whether the light of all that is seen is known
   glm::vec3 Normal{ 0.0f };
-  float Area = 0.0f;         ///< 0 if it has none
+  float Area = 0.0f; ///< 0 if it has none
+  /// How much brighter the samples are than their colours, at least 1.
+  float Brightness[2] = { 1.0f, 1.0f };
   double Detail = 0.0;       ///< GetLeastError of the colours under white light, of either side
   bool IsRound = false;      ///< whether what it belongs to has no creases
   std::uint32_t Body = None; ///< what it belongs to
@@ -176,6 +178,7 @@ private:
   bool HasDetail(std::size_t triangle, double tolerances) const;
   float FindLength(std::size_t triangle, int edge) const;
   std::array<std::vector<char>, 2> FindExact() const;
+  std::array<std::vector<unsigned char>, 2> FindExactCodes() const;
 
   ColorFitSettings Settings;
   SurfaceMesh& Surface;

@@ -137,10 +137,10 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
   {
     geometry->GetPointData()->AddArray(MakeColors(BackColorName, backs, type));
   }
-  const auto& exact = colors.AreExact;
+  const auto& exact = colors.Exact;
   if (std::any_of(exact.begin(), exact.end(),
-        [](const std::vector<char>& side)
-        { return std::any_of(side.begin(), side.end(), [](char is) { return is != 0; }); }))
+        [](const std::vector<unsigned char>& side)
+        { return std::any_of(side.begin(), side.end(), [](int code) { return code != 0; }); }))
   {
     vtkNew<vtkUnsignedCharArray> array;
     array->SetName(ExactColorName);
@@ -150,7 +150,7 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
     {
       for (const int side : { 0, 1 })
       {
-        array->SetTypedComponent(static_cast<vtkIdType>(i), side, exact[side][i] ? 1 : 0);
+        array->SetTypedComponent(static_cast<vtkIdType>(i), side, exact[side][i]);
       }
     }
     geometry->GetPointData()->AddArray(array);

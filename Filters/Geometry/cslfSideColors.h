@@ -27,9 +27,9 @@ struct SideColors
   /// On the front, where corners run counterclockwise, and on the back.
   std::array<std::vector<glm::vec4>, 2> Sides;
 
-  /// Whether a point's colour alone shows the surface around it well, from all directions. Empty if
-  /// none does.
-  std::array<std::vector<char>, 2> AreExact;
+  /// ToExactCode, if a point's colour alone shows the surface around it well, from all directions,
+  /// otherwise 0. Empty if none does.
+  std::array<std::vector<unsigned char>, 2> Exact;
 };
 
 /// Gives the points their colours, as point data `Color` and `BackColor` of that type, and

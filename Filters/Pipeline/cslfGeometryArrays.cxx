@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cslf
@@ -22,6 +23,9 @@ namespace
 {
 /// What rounding may add to a point of the cube.
 constexpr double CoordinateLimit = 1.0 + 1e-6;
+
+/// Codes of a doubling of brightness.
+constexpr double StepsOfDoubling = 8.0;
 
 std::optional<double> GetNumber(vtkPolyData* geometry, const char* name)
 {
@@ -46,9 +50,21 @@ PointColorArrays FindPointColors(vtkPolyData* geometry)
   return { front, areAlike ? back : nullptr, front ? find(ExactColorName, 2) : nullptr };
 }
 
-bool PointColorArrays::IsExact(vtkIdType point, bool isBack) const
+unsigned char ToExactCode(double brightness)
 {
-  return this->Exact && this->Exact->GetComponent(point, isBack && this->Back ? 1 : 0) > 0.0;
+  constexpr double most = 255.0;
+  const double code = 1.0 + std::round(StepsOfDoubling * std::log2(std::max(brightness, 1.0)));
+  return static_cast<unsigned char>(std::min(code, most));
+}
+
+double PointColorArrays::GetCode(vtkIdType point, bool isBack) const
+{
+  return this->Exact ? this->Exact->GetComponent(point, isBack && this->Back ? 1 : 0) : 0.0;
+}
+
+double PointColorArrays::GetBrightness(vtkIdType point, bool isBack) const
+{
+  return std::exp2(std::max(this->GetCode(point, isBack) - 1.0, 0.0) / StepsOfDoubling);
 }
 
 std::optional<double> GetGeometryError(vtkPolyData* geometry)

@@ -25,10 +25,14 @@ namespace cslf
 /// of the other side, and of both if there is no such array.
 constexpr const char* BackColorName = "BackColor";
 
-/// Point data, two unsigned characters: 1 where the colour of the front, and that of the back,
-/// alone shows the surface around the point well, from all directions, so that no viewpoint is
-/// asked.
+/// Point data, two unsigned characters: above 0 where the colour of the front, and that of the
+/// back, alone shows the surface around the point well, from all directions, so that no viewpoint
+/// is asked. Above 1 it also tells how much brighter the surface is than the colour, which ends at
+/// white: see ToExactCode.
 constexpr const char* ExactColorName = "ExactColor";
+
+/// 1 and 8 for each doubling, rounded. Of a surface that is brighter by this factor, at least 1.
+unsigned char VTKCSLF_EXPORT ToExactCode(double brightness);
 
 /// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
 /// from the geometry, without those that it lost.
@@ -62,7 +66,13 @@ struct PointColorArrays
   vtkDataArray* Exact = nullptr;
 
   /// Whether the colour on a side is exact.
-  bool VTKCSLF_EXPORT IsExact(vtkIdType point, bool isBack) const;
+  bool IsExact(vtkIdType point, bool isBack) const { return this->GetCode(point, isBack) > 0.0; }
+
+  /// How much brighter the surface is than that, at least 1.
+  double VTKCSLF_EXPORT GetBrightness(vtkIdType point, bool isBack) const;
+
+  /// ToExactCode, or 0.
+  double VTKCSLF_EXPORT GetCode(vtkIdType point, bool isBack) const;
 };
 
 /// The point data `Color` and `BackColor`, if each point has four components, and `ExactColor`. The

@@ -104,7 +104,8 @@ void AddExact(vtkPolyData* geometry)
   exact->SetNumberOfComponents(2);
   for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
   {
-    exact->InsertNextTuple2(geometry->GetPoint(i)[1] > Box.Center.y ? 1.0 : 0.0, 0.0);
+    // As bright as 2^(i / 8) times white.
+    exact->InsertNextTuple2(geometry->GetPoint(i)[1] > Box.Center.y ? 1.0 + i % 255 : 0.0, 0.0);
   }
   geometry->GetPointData()->AddArray(exact);
 }

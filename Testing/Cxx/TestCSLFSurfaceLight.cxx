@@ -3,9 +3,11 @@
 
 // Colours of a geometry's points alone show surfaces that look the same from all directions:
 // triangles are divided where these jump or bend, and only there, and points are doubled at
-// creases.
+// creases. Lamps keep how bright they are.
+#include "cslfTestView.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEnvironment.h"
+#include "vtkCSLFMapper.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"
 
@@ -13,6 +15,7 @@
 #include <vtkCubeSource.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
@@ -196,6 +199,61 @@ void TestDetail()
   CSLF_CHECK(error < 2.5);
 }
 
+/// The pixels at the outline of a lamp that are neither black nor white.
+int CountGray(vtkCSLFSampler* sampler, vtkPolyData* geometry)
+{
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputConnection(sampler->GetOutputPort());
+  mapper->SetGeometryData(geometry);
+  cslf::testing::View view(256);
+  view.Add(mapper);
+  view.GetCamera()->SetPosition(0.3, 0.2, 3.0);
+  view.GetCamera()->Roll(20.0);
+  const cslf::testing::Picture picture = view.Render();
+  CSLF_CHECK(picture.GetMean() > 5.0);
+  return static_cast<int>(std::count_if(picture.Colors.begin(), picture.Colors.end(),
+    [](unsigned char level) { return level > 2 && level < 253; }));
+}
+
+/// Pixels that see a bit of a bright lamp before a black wall are white.
+void TestLamp()
+{
+  vtkNew<vtkPlaneSource> lamp;
+  lamp->Update();
+  vtkCSLFMaterial::SetBaseColor(lamp->GetOutput(), 0.0, 0.0, 0.0);
+  vtkCSLFMaterial::SetEmission(lamp->GetOutput(), 32.0, 32.0, 32.0);
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(-1.0, -1.0, -0.2);
+  wall->SetPoint1(1.0, -1.0, -0.2);
+  wall->SetPoint2(-1.0, 1.0, -0.2);
+  wall->Update();
+  vtkCSLFMaterial::SetBaseColor(wall->GetOutput(), 0.0, 0.0, 0.0);
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, lamp->GetOutput());
+  scene->SetBlock(1, wall->GetOutput());
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputDataObject(scene);
+  sampler->SetViewpoints(3);
+  sampler->SetResolution(64);
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->Update();
+  vtkPolyData* geometry = sampler->GetGeometry();
+  vtkDataArray* exact = geometry->GetPointData()->GetArray("ExactColor");
+  for (vtkIdType i = 0; exact && i < exact->GetNumberOfTuples(); ++i)
+  {
+    // Five doublings, or none.
+    const bool isLamp = geometry->GetPoint(i)[2] > -0.1;
+    CSLF_CHECK(exact->GetComponent(i, 0) == (isLamp ? 41.0 : 1.0));
+  }
+  const int bright = CountGray(sampler, geometry);
+  vtkNew<vtkPolyData> white;
+  white->DeepCopy(geometry);
+  white->GetPointData()->GetArray("ExactColor")->Fill(1.0);
+  const int gray = CountGray(sampler, white);
+  std::cout << "Lamp: " << bright << " gray values, without its brightness " << gray << "\n";
+  CSLF_CHECK(gray > 1000 && bright < gray / 4);
+}
+
 /// What looks different from elsewhere is not exact, though its light is stored.
 void TestReflections()
 {
@@ -225,5 +283,6 @@ int TestCSLFSurfaceLight(int, char*[])
   TestJump();
   TestSky();
   TestDetail();
+  TestLamp();
   return cslf::testing::Result();
 }

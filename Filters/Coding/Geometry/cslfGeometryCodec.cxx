@@ -236,7 +236,8 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
   for (std::size_t i = 0; colors.Exact && i < FlagsSize * streams.Points; ++i)
   {
     const auto point = static_cast<vtkIdType>(i / FlagsSize);
-    streams.Flags.push_back(i % FlagsSize < 2 && colors.IsExact(point, i % FlagsSize == 1) ? 1 : 0);
+    const double code = i % FlagsSize < 2 ? colors.GetCode(point, i % FlagsSize == 1) : 0.0;
+    streams.Flags.push_back(static_cast<unsigned char>(std::clamp(code, 0.0, 255.0)));
   }
   streams.Colors = ListCodes(colors.Front, streams.AreHalves, streams.GetColorSteps());
   streams.BackColors = ListCodes(colors.Back, streams.AreHalves, streams.GetColorSteps());
@@ -470,7 +471,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
     for (std::size_t point = 0; point < streams.Points; ++point)
     {
       exact->InsertNextTuple2(
-        streams.Flags[FlagsSize * point] & 1, streams.Flags[FlagsSize * point + 1] & 1);
+        streams.Flags[FlagsSize * point], streams.Flags[FlagsSize * point + 1]);
     }
     geometry->GetPointData()->AddArray(exact);
   }

@@ -141,7 +141,7 @@ private:
     Unknown
   };
 
-  Light FindColor(const Aim& aim, glm::vec3& color, glm::vec3& detail) const;
+  Light FindColor(const Aim& aim, glm::vec3& color, glm::vec3& detail, double& brightness) const;
   glm::vec3 Encode(const glm::vec3& radiance) const;
 
   const Scene& World;
@@ -149,9 +149,10 @@ private:
   SurfaceLightSettings Settings;
 };
 
-// A colour, and what it is under white light, for comparison with that around it.
+// A colour, what it is under white light, for comparison with that around it, and how much brighter
+// the surface is.
 LightSampler::Light LightSampler::FindColor(
-  const Aim& aim, glm::vec3& color, glm::vec3& detail) const
+  const Aim& aim, glm::vec3& color, glm::vec3& detail, double& brightness) const
 {
   const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
   glm::vec3 radiance;
@@ -178,6 +179,11 @@ LightSampler::Light LightSampler::FindColor(
     return Light::Unknown;
   }
   color = this->Encode(radiance);
+  const glm::dvec3 exposed = static_cast<double>(this->Settings.Exposure) * glm::dvec3(radiance);
+  const glm::dvec3 shown = glm::min(exposed, glm::dvec3(1.0));
+  brightness = this->Settings.ClampsColors && std::max({ exposed.x, exposed.y, exposed.z }) > 1.0
+    ? (exposed.x + exposed.y + exposed.z) / (shown.x + shown.y + shown.z)
+    : 1.0;
   detail = glm::vec3(LinearToSRGB(glm::dvec3(white)));
   return std::isfinite(color.x + color.y + color.z) ? Light::Known : Light::Unknown;
 }
@@ -213,6 +219,7 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
     static_cast<float>(MinimumSamples), static_cast<float>(MaximumSamples)));
   int votes = 0;
   SampleSums details[2];
+  double brightness[2] = {};
   for (int i = 0; i < count; ++i)
   {
     auto u = static_cast<float>(RobertsNumber(i, 0));
@@ -230,14 +237,17 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
       const Aim& aim = aims[side];
       glm::vec3 color;
       glm::vec3 detail;
+      double brighter = 1.0;
       // What is not met may be missing from the scene, or hidden.
-      const Light light = aim.IsMet ? this->FindColor(aim, color, detail) : Light::Missing;
+      const Light light =
+        aim.IsMet ? this->FindColor(aim, color, detail, brighter) : Light::Missing;
       if (light == Light::Known)
       {
         const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
         const float area = weight * samples.Area / static_cast<float>(count);
         samples.Sides[side].Add(place, color, area);
         details[side].Add(place, detail, area);
+        brightness[side] += area * brighter;
       }
       else if (light == Light::Unknown && samples.AreComplete[side])
       {
@@ -254,6 +264,8 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   for (const int side : { 0, 1 })
   {
     samples.Detail = std::max(samples.Detail, details[side].GetLeastError());
+    const double weight = samples.Sides[side].Weight;
+    samples.Brightness[side] = weight > 0.0 ? static_cast<float>(brightness[side] / weight) : 1.0f;
     samples.AreComplete[side] = samples.AreComplete[side] && samples.Area <= SampleArea * count;
   }
   return samples;
