@@ -63,7 +63,7 @@ list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable
 cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
-cslf_add(Filters/Coding/Codecs AV Bitstreams Codec Track)
+cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry GeometryCodec GeometryTexels GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)

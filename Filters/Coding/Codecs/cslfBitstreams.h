@@ -9,8 +9,22 @@
 
 #include "cslfCodec.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 namespace cslf
 {
+/// Marks units with bytes for CSLF among those of other programs: a UUID (RFC 4122, version 4).
+constexpr std::array<std::uint8_t, 16> CarrierMark = { 0x0d, 0x5f, 0x9a, 0x6e, 0x5b, 0x1c, 0x4e,
+  0x27, 0x9c, 0x83, 0x6a, 0x1f, 0xd2, 0x40, 0xb7, 0x35 };
+
+/// Ends the contents of units, before zeros.
+constexpr std::uint8_t TrailingBit = 0x80;
+
+/// Whether there is a mark at a place of a unit. Then finds the end of the bytes after it.
+bool FindCarried(const std::uint8_t* data, std::size_t size, std::size_t place, std::size_t& end);
+
 /// HEVC: NAL units (ITU-T H.265).
 const Bitstream& GetHEVCBitstream();
 
