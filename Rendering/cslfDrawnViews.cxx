@@ -160,7 +160,7 @@ bool DrawnViews::AreRefined() const
     [this](const auto& view) { return view->Frame != this->Frame || view->Picture.IsRefined(); });
 }
 
-void DrawnViews::LimitPictures(vtkRenderWindow* window, const DrawnView& view)
+void DrawnViews::LimitPictures(vtkRenderWindow* window, DrawnView& view)
 {
   std::vector<DrawnView*> others;
   std::int64_t bytes = view.Picture.GetBytes();
@@ -182,6 +182,12 @@ void DrawnViews::LimitPictures(vtkRenderWindow* window, const DrawnView& view)
     }
     bytes -= other->Picture.GetBytes();
     other->Picture.Release(window);
+    // Those of one frame would free each other in the next one, too, and never be refined.
+    if (other->Frame == this->Frame)
+    {
+      other->IsCrowded = true;
+      view.IsCrowded = true;
+    }
   }
 }
 

@@ -38,6 +38,7 @@ struct DrawnView
   ViewFrustum Frustum;
   LookupPicture Picture;
   int Samples = 1;               ///< of the picture that is being drawn
+  bool IsCrowded = false;        ///< its picture and those drawn beside it do not fit together
   std::int64_t Frame = 0;        ///< in which it was last drawn
   bool IsExpected = true;        ///< in the frame that is being drawn
   bool IsByActiveCamera = false; ///< whether the renderer's own camera saw it, not that of a pass
@@ -74,7 +75,7 @@ public:
 
   /// Frees the pictures that were drawn longest ago, apart from that of `view`, until the others
   /// fit into the memory for pictures.
-  void LimitPictures(vtkRenderWindow* window, const DrawnView& view);
+  void LimitPictures(vtkRenderWindow* window, DrawnView& view);
 
   /// Removes all views. The window's context must be current.
   void Release(vtkWindow* window);

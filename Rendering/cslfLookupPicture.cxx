@@ -234,7 +234,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
     this->IsSearched = isSearched;
     this->IsOnGeometry = isOnGeometry;
     this->Sets = 0;
-    this->WantedSets = view.Samples > 1 && this->Samples > 1 && !this->IsMoving ? RefinedSets : 1;
+    const bool mayRefine = pace.Refinement != Refinements::None && !this->IsMoving;
+    this->WantedSets = mayRefine && view.Samples > 1 && this->Samples > 1 ? RefinedSets : 1;
     this->DrawSet(field);
   }
   else if (pace.Refinement == Refinements::One && !this->IsRefined())

@@ -302,7 +302,9 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   // All passes of a frame draw the same picture.
   if (!this->IsAnotherPass && !renderer->GetSelector())
   {
-    pace.Refinement = this->Streaming ? Pace::Refinements::One : Pace::Refinements::All;
+    pace.Refinement = !this->Streaming ? Pace::Refinements::All
+      : this->Drawn->IsCrowded         ? Pace::Refinements::None
+                                       : Pace::Refinements::One;
   }
   this->Drawn->Picture.Draw(window, this->View, this->Texture, this->Tools, pace);
   this->Views.LimitPictures(window, *this->Drawn);
