@@ -280,8 +280,8 @@ public:
    * The results of the last Write on rank 0, all 0 if it failed: the mean rate factor of colour
    * over all viewpoints, the size of the file in bytes, its ratio and its PSNR as defined by the
    * targets of vtkCSLFRateControl. For the PSNR, each group is decoded again. It is at most 100. It
-   * is 0 for lossless files, float colour and fields that their geometry tells completely, for which
-   * it is not measured.
+   * is 0 for lossless files, float colour and fields that their geometry tells completely, for
+   * which it is not measured.
    */
   vtkGetMacro(ActualCRF, double);
   vtkGetMacro(ActualSize, double);

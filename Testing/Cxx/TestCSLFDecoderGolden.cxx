@@ -53,7 +53,7 @@ bool AreEqualDepths(const unsigned short* found, const unsigned short* expected,
     }
     rounded += difference;
   }
-  return rounded <= count / 400;
+  return rounded <= count / 1000;
 }
 
 /// Compares regularly spaced slices of an array with the bytes from `place` on, and advances
