@@ -119,6 +119,11 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   mesh->IsAlone = mesh->HasExactColors && mesh->IsComplete && !field.MayShowEnvironment() &&
     AreExact(mesh->Colors) && AreExact(mesh->BackColors);
   mesh->Corners = ListCorners(triangles);
+  for (const std::uint32_t corner : mesh->Corners)
+  {
+    mesh->MinimumCC = glm::min(mesh->MinimumCC, mesh->PointsCC[corner]);
+    mesh->MaximumCC = glm::max(mesh->MaximumCC, mesh->PointsCC[corner]);
+  }
   if (IsOpaqueGeometry(geometry))
   {
     mesh->Cells = std::make_shared<SurfaceCells>(field, mesh->PointsCC, mesh->Corners);

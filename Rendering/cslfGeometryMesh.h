@@ -26,6 +26,8 @@ namespace cslf
 struct GeometryMesh
 {
   std::vector<glm::vec3> PointsCC;
+  glm::vec3 MinimumCC = glm::vec3(1.0f); ///< the bounds of the points that triangles have
+  glm::vec3 MaximumCC = glm::vec3(-1.0f);
   /// Of the points, transparent where there is none. If any is exact, alpha is 1 where it is.
   std::vector<glm::vec4> Colors;
   std::vector<glm::vec4> BackColors;  ///< on the back; empty if they are the same

@@ -37,6 +37,7 @@
 namespace
 {
 constexpr const char* ReadingError = "The light field cannot be read";
+constexpr const char* DrawingError = "The light field cannot be drawn";
 }
 
 class vtkCSLFMapper::vtkInternals
@@ -56,6 +57,7 @@ public:
   const cslf::Cube& GetCube() const { return this->Store->GetDescription().Box; }
   std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper);
   void FindFocalPoints();
+  void FindBounds(bool usesGeometry, double bounds[6]) const;
   std::vector<glm::dvec4> GetClippingPlanesCC(vtkMapper* mapper, vtkActor* actor) const;
 };
 
@@ -95,6 +97,25 @@ void vtkCSLFMapper::vtkInternals::FindFocalPoints()
     (*this->AutomaticFocalPoints)[face] =
       cslf::FindFocalPoint(field, face, this->Store->Get(slices[face]));
   }
+}
+
+//------------------------------------------------------------------------------
+// The environment is drawn on the far side of the cube.
+void vtkCSLFMapper::vtkInternals::FindBounds(bool usesGeometry, double bounds[6]) const
+{
+  if (usesGeometry && this->Geometry && this->Geometry->IsComplete &&
+    !this->Store->GetDescription().MayShowEnvironment())
+  {
+    const glm::dvec3 low = this->GetCube().PointToWorld(this->Geometry->MinimumCC);
+    const glm::dvec3 high = this->GetCube().PointToWorld(this->Geometry->MaximumCC);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = low[axis];
+      bounds[2 * axis + 1] = high[axis];
+    }
+    return;
+  }
+  this->GetCube().GetBounds(bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -331,13 +352,24 @@ std::shared_ptr<cslf::FieldStore> vtkCSLFMapper::OpenImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 double* vtkCSLFMapper::GetBounds()
 {
-  if (cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); }))
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); }))
   {
-    this->Internals->GetCube().GetBounds(this->Bounds);
+    return this->Bounds;
   }
-  else
+  const bool isFound = cslf::GuardMethod(this, DrawingError,
+    [this]
+    {
+      if (this->Lookup == GEOMETRY)
+      {
+        this->UpdateGeometry();
+      }
+      this->Internals->FindBounds(this->Lookup == GEOMETRY, this->Bounds);
+      return true;
+    });
+  if (!isFound)
   {
-    vtkMath::UninitializeBounds(this->Bounds);
+    this->Internals->Store = nullptr; // reported once
   }
   return this->Bounds;
 }
@@ -370,7 +402,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const bool isDrawn = cslf::GuardMethod(this, "The light field cannot be drawn",
+  const bool isDrawn = cslf::GuardMethod(this, DrawingError,
     [&]
     {
       this->Draw(renderer, actor);

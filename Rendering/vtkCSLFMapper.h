@@ -251,7 +251,9 @@ public:
 
   using vtkMapper::GetBounds;
   /**
-   * The bounds of the field's cube; uninitialized if there is no valid field.
+   * The bounds of what is drawn: with the lookup GEOMETRY those of geometry that has all surfaces,
+   * unless the field shows its environment, and otherwise those of the field's cube. Uninitialized
+   * if there is no valid field.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
 

@@ -132,9 +132,11 @@ void MeasureView(const Options& options, const NovelView& view, vtkImageData* pr
     quality->SetInputData(0, view.Picture);
     quality->SetInputData(1, picture);
     quality->SetStencilData(view.Stencil);
+    quality->SetMaximumPSNR(100.0);
     quality->Update();
     ThrowOnError();
-    score.PSNR.push_back(quality->GetPSNR());
+    const double psnr = SubtractNoise(quality->GetPSNR(), view.NoiseFloor);
+    score.PSNR.push_back(psnr);
     score.SSIM.push_back(quality->GetSSIM());
     if (previous)
     {
@@ -144,7 +146,7 @@ void MeasureView(const Options& options, const NovelView& view, vtkImageData* pr
     score.Picture = picture;
     SaveView(options, number, score.Lookup.Name, picture);
     findings.Sheet.push_back(
-      { picture, std::string(score.Lookup.Name) + ", " + Format(quality->GetPSNR(), 1) + " dB" });
+      { picture, std::string(score.Lookup.Name) + ", " + Format(psnr, 1) + " dB" });
   }
 }
 
@@ -257,7 +259,7 @@ Result Report(const Options& options, const Findings& findings)
     "\n" + (options.Path.IsEmpty() ? "" : MakePathTable(findings.Scores)) +
     MakeTable(findings.Scores) + "noise floor of the reference: " + Format(noiseFloor, 2) +
     " dB (" + std::to_string(options.Novel.Samples) + " samples per pixel)\n";
-  WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
+  WarnOfRemovedNoise(noiseFloor, best, "the best lookup", "--spp");
   return result;
 }
 
@@ -315,7 +317,9 @@ void AddEvaluate(CLI::App& app, Command& chosen)
     "black, in the pixels whose ray meets the cube, and averaged over the views in dB, each at "
     "most 60. The reference is the mean of two halves traced with different seeds. Its noise floor "
     "is the PSNR of one half against the other plus 6.02 dB, because the mean has a quarter of the "
-    "variance of their difference. Specify the scene, light and material that the field was "
+    "variance of their difference. This noise is subtracted from the squared errors, so it does "
+    "not lower the PSNR; it does lower SSIM and the figures of changes. Specify the scene, light "
+    "and material that the field was "
     "sampled with. With --path, the views are those along a camera path that begins two edges in "
     "front of the cube. Each view then has its own row, and the changes from view to view are "
     "measured as well: their PSNR is that of the difference between the errors of a view and of "

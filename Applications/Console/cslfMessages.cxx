@@ -278,6 +278,17 @@ void WarnOfNoise(
   }
 }
 
+void WarnOfRemovedNoise(
+  double noiseFloor, double psnr, const std::string& figure, const std::string& option)
+{
+  constexpr double margin = 3.0;
+  if (noiseFloor + margin < psnr)
+  {
+    AddWarning("The error of " + figure + " is less than half of the reference's noise, " +
+      Format(noiseFloor, 2) + " dB: use more " + option + ".");
+  }
+}
+
 void PrintWarnings()
 {
   for (const std::string& warning : GetWarnings())

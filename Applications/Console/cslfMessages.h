@@ -74,6 +74,11 @@ void PrintWarnings();
 void WarnOfNoise(
   double noiseFloor, double psnr, const std::string& figure, const std::string& option);
 
+/// The same for a figure from which the noise has been subtracted, which must not be more than
+/// twice the error.
+void WarnOfRemovedNoise(
+  double noiseFloor, double psnr, const std::string& figure, const std::string& option);
+
 void PrintError(const std::string& text);
 
 /// Prints a line for people who wait: only if standard error is a terminal.

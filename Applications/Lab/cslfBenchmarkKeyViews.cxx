@@ -410,7 +410,7 @@ Result Run(Options options)
   {
     best = std::max(best, series.Limit);
   }
-  WarnOfNoise(views.NoiseFloor, best, "the best novel views", "--spp");
+  WarnOfRemovedNoise(views.NoiseFloor, best, "the best novel views", "--spp");
 
   Result result;
   result.JSON = { { "field", options.Field }, { "preset", options.Preset },

@@ -399,7 +399,7 @@ Result Run(Options options)
     {
       best = std::max(best, Mean(score.Quality.PSNR));
     }
-    WarnOfNoise(findings.NoiseFloor, best, "the best lookup", "--spp");
+    WarnOfRemovedNoise(findings.NoiseFloor, best, "the best lookup", "--spp");
   }
   options.Write(result, "render");
   return result;

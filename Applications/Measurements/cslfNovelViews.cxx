@@ -42,6 +42,8 @@ namespace cslf::tool
 {
 namespace
 {
+constexpr double MaximumViewPSNR = 60.0; // dB
+
 /// The weighted sum of two linear float pictures, encoded like the field's colours.
 vtkSmartPointer<vtkImageData> EncodeSum(vtkImageData* first, double firstWeight,
   vtkImageData* second, double secondWeight, vtkCSLFToneMapping* toneMapping)
@@ -105,6 +107,14 @@ double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil)
   quality->Update();
   ThrowOnError();
   return quality->GetPSNR() + 10.0 * std::log10(4.0);
+}
+
+double SubtractNoise(double psnr, double noiseFloor)
+{
+  constexpr double smallest = 0.05; // of the noise
+  const double noise = std::pow(10.0, -0.1 * noiseFloor);
+  const double error = std::pow(10.0, -0.1 * psnr) - noise;
+  return std::min(MaximumViewPSNR, -10.0 * std::log10(std::max(error, smallest * noise)));
 }
 
 TruthTracer::TruthTracer(const SceneOptions& options, const Scene& scene, const std::string& folder)
@@ -257,7 +267,6 @@ double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
   vtkImageData* truth, vtkImageData* picture, vtkImageStencilData* stencil)
 {
   constexpr double peak = 255.0;
-  constexpr double most = 60.0;
   const auto read = [](vtkImageData* image, int x, int y, int k) -> int
   { return static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0))[k]; };
   const int* size = truth->GetDimensions();
@@ -276,7 +285,8 @@ double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
       }
     }
   }
-  return sum > 0.0 ? std::min(most, 10.0 * std::log10(peak * peak * count / sum)) : most;
+  return sum > 0.0 ? std::min(MaximumViewPSNR, 10.0 * std::log10(peak * peak * count / sum))
+                   : MaximumViewPSNR;
 }
 
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
@@ -349,9 +359,10 @@ ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<
     quality->SetInputData(0, view.Picture);
     quality->SetInputData(1, renderer.Render(view.Camera, lookup));
     quality->SetStencilData(view.Stencil);
+    quality->SetMaximumPSNR(100.0);
     quality->Update();
     ThrowOnError();
-    result.PSNR.push_back(quality->GetPSNR());
+    result.PSNR.push_back(SubtractNoise(quality->GetPSNR(), view.NoiseFloor));
     result.SSIM.push_back(quality->GetSSIM());
   }
   return result;

@@ -44,6 +44,10 @@ struct Truth
 /// their mean's error, so it is their PSNR plus 10 log10(4) dB.
 double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil);
 
+/// The PSNR of a picture without the reference's noise, whose squared error is added to that of the
+/// picture: in dB, at most 60, and at most 13 dB above the noise floor.
+double SubtractNoise(double psnr, double noiseFloor);
+
 class TruthTracer
 {
 public:

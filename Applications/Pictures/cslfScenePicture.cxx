@@ -131,6 +131,14 @@ struct Framing
   }
 };
 
+/// A view through the opening of the Cornell box, which it fills.
+vtkSmartPointer<vtkCamera> MakeInnerCamera(
+  const Scene& scene, const SceneAxes& axes, double aspect)
+{
+  constexpr glm::dvec3 inward(0.3, 0.2, 1.0);
+  return Framing(scene, axes.Get(inward), axes.Up, aspect).Camera;
+}
+
 /// A view from the front, a little from the right and above, that a scene fills. Flat scenes are
 /// seen from a side on which they are not edge-on.
 vtkSmartPointer<vtkCamera> MakeCamera(const Scene& scene, const SceneAxes& axes, double aspect)
@@ -190,7 +198,10 @@ void WriteScenePicture(
   tracer->SetSamples(Samples);
   tracer->SetNoiseTarget(NoiseTarget);
   tracer->SetSize(Width, Height);
-  tracer->SetCamera(MakeCamera(scene, options.GetLook().GetAxes(), double(Width) / Height));
+  const SceneAxes axes = options.GetLook().GetAxes();
+  constexpr double aspect = double(Width) / Height;
+  tracer->SetCamera(options.HasCornellBox() ? MakeInnerCamera(scene, axes, aspect)
+                                            : MakeCamera(scene, axes, aspect));
   {
     const ProgressBar bar(tracer, "Tracing the picture");
     tracer->Update();

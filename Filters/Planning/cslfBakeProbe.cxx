@@ -30,7 +30,6 @@ namespace cslf
 namespace
 {
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 // The share of the probe's seconds for groups of full size.
 constexpr double GroupShare = 0.4;
@@ -45,6 +44,9 @@ constexpr double MinimumSeconds = 0.4;
 constexpr int SmallGroups = 24;
 constexpr int SmallResolution = 32;
 constexpr int SmallSamples = 16;
+
+// A whole cache, which tells what the geometry shows, may take so many times the probe's seconds.
+constexpr double WholeCacheShare = 2.0;
 
 // The fewest groups of full size.
 constexpr int FullGroups = 2;
@@ -183,25 +185,54 @@ vtkSmartPointer<vtkPolyData> BakeProbe::MakeGeometry()
 
 bool BakeProbe::Begin(int resolution, std::optional<EncodeProbe>& probe)
 {
-  const auto start = Clock::now();
-  const double before = this->Sampler->GetCacheSeconds();
+  auto start = Clock::now();
+  double before = this->Sampler->GetCacheSeconds();
   this->Geometry = this->MakeGeometry();
+  this->NoteScene(start, before);
+  if (this->Geometry && this->HasRoughCache() &&
+    this->Sampler->GetExpectedCacheSeconds() <= WholeCacheShare * this->Seconds)
+  {
+    const double probed = this->Sampler->GetCacheSeconds();
+    this->Sampler->SetCacheProbeSeconds(0.0);
+    this->Geometry = this->MakeGeometry();
+    const double whole = this->Sampler->GetCacheSeconds();
+    this->WholeCacheSeconds = whole - (whole >= probed ? probed : 0.0);
+  }
+  start = Clock::now();
+  before = this->Sampler->GetCacheSeconds();
   this->SetSize(resolution, std::min(this->Samples, SmallSamples));
   probe.emplace(this->Sampler, this->Settings, this->Geometry);
   if (!probe->Begin(this->Error))
   {
     return false;
   }
-  this->NoteScene(SecondsSince(start), before);
+  if (this->HasRoughCache() && probe->MayTellAll())
+  {
+    // The texels differ from the geometry only because the light is rough.
+    ComputedChannels computed = probe->GetComputed();
+    computed.HasColor = true;
+    computed.IsAll = true;
+    probe.emplace(this->Sampler, this->Settings, this->Geometry, computed);
+    if (!probe->Begin(this->Error))
+    {
+      return false;
+    }
+  }
+  this->NoteScene(start, before);
   return true;
 }
 
-void BakeProbe::NoteScene(double seconds, double cacheSecondsBefore)
+bool BakeProbe::HasRoughCache() const
+{
+  return !this->WholeCacheSeconds && this->Sampler->GetExpectedCacheSeconds() > 0.0;
+}
+
+void BakeProbe::NoteScene(Clock::time_point start, double cacheSecondsBefore)
 {
   const double cache = this->Sampler->GetCacheSeconds();
   const double probed = cache - (cache >= cacheSecondsBefore ? cacheSecondsBefore : 0.0);
-  this->Costs.Scene = std::max(0.0, seconds - probed);
-  this->Costs.Cache = this->Sampler->GetExpectedCacheSeconds();
+  this->Costs.Scene += std::max(0.0, SecondsSince(start) - probed);
+  this->Costs.Cache = this->WholeCacheSeconds.value_or(this->Sampler->GetExpectedCacheSeconds());
 }
 
 bool BakeProbe::TimeRendering(int samples, double& seconds)
@@ -395,7 +426,7 @@ bool BakeProbe::EstimateImages()
     this->Error = stream.GetError().empty() ? "The sampler failed." : stream.GetError();
     return false;
   }
-  this->NoteScene(SecondsSince(start), before);
+  this->NoteScene(start, before);
   const int slices = stream.GetWhole().GetCount();
   double render = 0.0;
   double write = 0.0;

@@ -12,6 +12,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -67,11 +68,14 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   bool EstimateVideo();
   bool EstimateImages();
   vtkSmartPointer<vtkPolyData> MakeGeometry();
   bool Begin(int resolution, std::optional<EncodeProbe>& probe);
-  void NoteScene(double seconds, double cacheSecondsBefore);
+  bool HasRoughCache() const;
+  void NoteScene(Clock::time_point start, double cacheSecondsBefore);
   void SetSize(int resolution, int samples);
 
   /// The resolution of groups of small size.
@@ -94,6 +98,7 @@ private:
   BakeCosts Costs;
   FieldDetail Detail;
   vtkSmartPointer<vtkPolyData> Geometry; ///< null if the sampler makes none
+  std::optional<double> WholeCacheSeconds; ///< that have been measured
   double Growth = 1.5;
   std::string Error;
 };

@@ -47,6 +47,7 @@ constexpr double LegendBottom = 0.25; // above the view's axes
 constexpr double LegendWidth = 0.08;
 constexpr double LegendHeight = 0.4;
 constexpr double LegendStep = 0.13;
+constexpr int TitleSeparation = 16; // pixels: half of the uppermost label is above the bar
 
 // More would cover the view.
 constexpr std::size_t MaximumLegends = 3;
@@ -91,6 +92,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegendActor(const cslf::Legend& legend, i
   actor->SetWidth(LegendWidth);
   actor->SetHeight(LegendHeight);
   actor->SetLabelFormat("%.3g");
+  actor->SetVerticalTitleSeparation(TitleSeparation);
   for (vtkTextProperty* text : { actor->GetTitleTextProperty(), actor->GetLabelTextProperty() })
   {
     text->BoldOff();
@@ -246,11 +248,8 @@ void vtkCSLFRepresentation::UpdateOutline()
   if (this->Field)
   {
     this->BoundsMapper->SetInputData(this->Field);
+    this->BoundsMapper->SetGeometryData(this->Geometry);
     this->BoundsMapper->GetBounds(bounds);
-    if (vtkMath::AreBoundsInitialized(bounds) && this->Geometry->GetNumberOfPoints() > 0)
-    {
-      this->Geometry->GetBounds(bounds);
-    }
   }
   else
   {

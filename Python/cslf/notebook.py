@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 from .arguments import check_kind, get_color, get_file_name, get_size, get_vector
 from .fields import make_actor
 
-# From the front, a little to the right and above, two edges of the cube away.
+# From the front, a little to the right and above.
 DIRECTION = (0.35, 0.25, 1.0)
 
 
@@ -96,8 +96,9 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
 
     ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
     ``size`` is the width and height in pixels. ``position`` is the position of the camera in world
-    coordinates, by default two edges of the cube in front of its centre, and ``focal_point`` the
-    point that it looks at, by default the centre. ``background`` is the name of a colour in HTML,
+    coordinates, by default in front, a little to the right and above, where the field fills the
+    picture, and ``focal_point`` the point that it looks at, by default the centre of what is drawn.
+    ``background`` is the name of a colour in HTML,
     such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
     ``lookup``, and what is raised if there is no such field, are as in ``make_actor``.
 
@@ -112,26 +113,29 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
-    edge = max(bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3))
-    length = sum(value**2 for value in DIRECTION)**0.5
-    if position is None:
-        position = [c + 2.0 * edge * d / length for c, d in zip(center, DIRECTION)]
-    focal_point = center if focal_point is None else focal_point
-    view = [there - here for here, there in zip(position, focal_point)]
-    if vtkMath.Norm(view) == 0.0:
-        raise ValueError("The camera's position and its focal point must differ.")
     renderer = vtkRenderer()
     renderer.SetBackground(*background)
     renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(*position)
-    camera.SetFocalPoint(*focal_point)
-    camera.SetViewUp(*find_view_up(view, view_up))
-    camera.SetViewAngle(40.0)  # the same as the tool's
-    renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetSize(*size)
     window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetViewAngle(40.0)  # the same as the tool's, which VTK narrows to fill the picture
+    if position is None:
+        camera.SetFocalPoint(*center)
+        camera.SetPosition(*(c + d for c, d in zip(center, DIRECTION)))
+        camera.SetViewUp(*find_view_up([-d for d in DIRECTION], view_up))
+        renderer.ResetCameraScreenSpace(bounds)
+        position = camera.GetPosition()
+        center = camera.GetFocalPoint()
+    focal_point = center if focal_point is None else focal_point
+    view = [there - here for here, there in zip(position, focal_point)]
+    if vtkMath.Norm(view) == 0.0:
+        raise ValueError("The camera's position and its focal point must differ.")
+    camera.SetPosition(*position)
+    camera.SetFocalPoint(*focal_point)
+    camera.SetViewUp(*find_view_up(view, view_up))
+    renderer.ResetCameraClippingRange()
     return capture(window)

@@ -117,6 +117,32 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath, bool has
   CheckBytes(estimator->GetBytes(), name);
 }
 
+/// No viewpoint will be rendered of a field that its geometry tells.
+void TestTold(const std::string& folder)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->SetViewpoints(9);
+  sampler->SetResolution(64);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  encoder->SetInputConnection(0, sampler->GetOutputPort(0));
+  encoder->SetInputConnection(1, sampler->GetOutputPort(1));
+  const std::string name = folder + "/told.mp4";
+  encoder->SetFileName(name.c_str());
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  // Enough for the whole cache, in passes of which some are probed only.
+  estimator->SetProbeSeconds(60.0);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  CSLF_CHECK(estimator->GetRenderSeconds() == 0.0 && estimator->GetCacheSeconds() > 0.0);
+  CSLF_CHECK(encoder->Write() == 1);
+  CheckBytes(estimator->GetBytes(), name);
+}
+
 /// An encoder that accepts no small pictures: the estimate is still for its files.
 void TestLeastResolution(const std::string& folder)
 {
@@ -283,6 +309,7 @@ int TestCSLFBakeEstimator(int argc, char* argv[])
   TestVideo(folder, false, false);
   TestVideo(folder, false, false, true);
   TestVideo(folder, true, true);
+  TestTold(folder);
   TestLeastResolution(folder);
   TestImages(folder);
   TestTimeBudget();

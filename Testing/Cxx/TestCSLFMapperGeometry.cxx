@@ -202,6 +202,11 @@ void TestTranslucent(const std::string& folder)
   view.Add(mapper);
   view.GetCamera()->SetPosition(1.2, 0.9, 4.0);
   const auto truth = Trace(scene, view.GetCamera());
+  mapper->SetInputConnection(0, sampler->GetOutputPort(0));
+  mapper->SetInputConnection(1, sampler->GetOutputPort(1));
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  CSLF_CHECK(bounds[5] == 1.0); // the geometry lacks some boxes
   for (vtkAlgorithm* source :
     { static_cast<vtkAlgorithm*>(sampler), static_cast<vtkAlgorithm*>(decoder) })
   {
@@ -251,7 +256,16 @@ int TestCSLFMapperGeometry(int argc, char* argv[])
     lowest = std::min(lowest, psnr);
   }
   CSLF_CHECK(lowest > 29.0);
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  CSLF_CHECK(bounds[0] == -1.0 && bounds[5] == 1.0); // the cube
   mapper->SetLookupToGeometry();
+  // Those of what is drawn.
+  mapper->GetBounds(bounds);
+  CSLF_CHECK_NEAR(bounds[0], -0.9, 0.01);
+  CSLF_CHECK_NEAR(bounds[1], 0.9, 0.01);
+  CSLF_CHECK_NEAR(bounds[4], -0.9, 0.01);
+  CSLF_CHECK_NEAR(bounds[5], 0.35, 0.01);
 
   // Pickers find the surfaces where they are.
   camera->SetPosition(0.1, 0.0, 4.0);
@@ -298,6 +312,8 @@ int TestCSLFMapperGeometry(int argc, char* argv[])
   poor->GetFieldData()->GetArray("GeometryLoss")->SetComponent(0, 0, 0.3);
   mapper->SetInputDataObject(1, poor);
   CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), byDepth) > 98.0);
+  mapper->GetBounds(bounds);
+  CSLF_CHECK(bounds[5] == 1.0);
   mapper->RemoveInputConnection(1, 0);
   CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), byDepth) > 98.0);
   return cslf::testing::Result();

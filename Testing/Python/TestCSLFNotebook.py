@@ -55,13 +55,14 @@ class TestCSLFNotebook(unittest.TestCase):
 
     @unittest.skipIf(numpy is None, "numpy is not installed")
     def test_array(self):
-        picture = cslf.show(FIELD, size=(80, 60), background=(0.0, 0.0, 1.0))
+        view = {"size": (80, 60), "background": (0.0, 0.0, 1.0), "position": (1.0, 1.0, 4.0),
+                "focal_point": (0.0, 0.0, 0.0)}
+        picture = cslf.show(FIELD, **view)
         pixels = numpy.asarray(picture)
         self.assertEqual((pixels.shape, pixels.dtype), ((60, 80, 3), numpy.uint8))
         self.assertEqual(pixels[0, 0].tolist(), [0, 0, 255])
         # Rows begin at the top.
-        other = cslf.show(FIELD, size=(80, 60), background=(0.0, 0.0, 1.0),
-                          view_up=(0.0, -1.0, 0.0))
+        other = cslf.show(FIELD, view_up=(0.0, -1.0, 0.0), **view)
         turned = numpy.asarray(other)[::-1, ::-1]
         self.assertLess(numpy.abs(pixels.astype(int) - turned).mean(), 1.0)
         self.assertGreater(numpy.abs(pixels.astype(int) - numpy.asarray(other)).mean(), 1.0)

@@ -56,6 +56,9 @@ public:
   /// What readers would compute, after Begin.
   const ComputedChannels& GetComputed() const { return this->Plan.GetComputed(); }
 
+  /// Whether they would compute all if the colours of the viewpoints were the final ones.
+  bool MayTellAll() const { return this->Plan.MayTellAll(); }
+
   int GetGroupCount() const { return this->Writer->GetGroupCount(); }
 
   /// Makes and codes some groups. On failure returns false and gives the reason.

@@ -88,8 +88,7 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
     isDone && fit.Texels > 0 && fit.GetLoss() <= MaximumLoss ? std::move(plan) : GeometryPlan();
   plan.Computed.HasColor =
     plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
-  plan.Computed.IsAll =
-    plan.Computed.HasCoverage && plan.Computed.HasColor && plan.Texels->AreAllExact();
+  plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll();
   plan.Tried = fit;
   return plan;
 }

@@ -51,6 +51,10 @@ public:
   /// Whether readers compute all texels, so that no viewpoint is needed for coding.
   bool TellsAll() const { return this->Computed.IsAll; }
 
+  /// Whether the geometry has all surfaces, and the colours of all its points are exact: readers
+  /// compute all texels if these colours also are those of the texels.
+  bool MayTellAll() const { return this->Computed.HasCoverage && this->Texels->AreAllExact(); }
+
   /// Of the viewpoints that Choose got.
   const GeometryFit& GetFit() const { return this->Tried; }
 
