@@ -128,7 +128,8 @@ void SurfacePicture::Upload()
 void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
 {
   const bool hasBackColors = !this->Mesh->BackColors.empty();
-  const std::string options = (hasBackColors ? std::string("#define BACK_COLORS\n") : "") +
+  const std::string options = std::string(hasBackColors ? "#define BACK_COLORS\n" : "") +
+    (this->Mesh->IsBright ? "#define BRIGHT\n" : "") +
     (planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
   std::string vertex = cslfGeometryVS;
   std::string fragment = cslfGeometryFS;

@@ -98,7 +98,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(const Options& options, cons
 {
   return options.Path.IsEmpty()
     ? MakeNovelViews(cube, options.Novel.Views, options.Novel.Seed, options.Scene.HasCornellBox())
-    : options.Path.MakeCameras(CameraOptions().MakeCamera(cube));
+    : options.Path.MakeCameras(CameraOptions().MakeCamera(cube, MeasuringDistance));
 }
 
 /// The number of a view, with leading zeros if there are many.

@@ -109,7 +109,7 @@ void OpenOnce(const Options& options, Findings& findings)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   window.AddActor(actor);
-  window.Draw(CameraOptions().MakeCamera(file.Field.Box));
+  window.Draw(CameraOptions().MakeCamera(file.Field.Box, MeasuringDistance));
   phases[Drawing] = drawing.Read();
   findings.Repeats.push_back(phases);
   findings.Device = window.GetDeviceName();

@@ -126,7 +126,7 @@ double FrameRate(const std::vector<double>& seconds)
 
 std::vector<vtkSmartPointer<vtkCamera>> MakePath(const Options& options, const Cube& cube)
 {
-  const vtkSmartPointer<vtkCamera> start = CameraOptions().MakeCamera(cube);
+  const vtkSmartPointer<vtkCamera> start = CameraOptions().MakeCamera(cube, MeasuringDistance);
   return options.Scene.HasCornellBox() ? MakeSwing(start, options.Frames)
                                        : MakeOrbit(start, options.Frames);
 }
@@ -202,7 +202,7 @@ std::unique_ptr<FieldRenderer> Open(
   renderer->SetStreaming(isStreaming);
   const int stillSamples = renderer->GetPixelSamples();
   renderer->SetPixelSamples(1);
-  renderer->Draw(CameraOptions().MakeCamera(file.Field.Box), lookup);
+  renderer->Draw(CameraOptions().MakeCamera(file.Field.Box, MeasuringDistance), lookup);
   seconds = SecondsSince(start);
   renderer->SetPixelSamples(stillSamples);
   return renderer;

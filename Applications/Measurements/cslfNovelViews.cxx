@@ -257,7 +257,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
     const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     const double angle = firstAngle + view * GoldenAngle;
     const glm::dvec3 direction(sine * std::cos(angle), sine * std::sin(angle), cosine);
-    cameras.push_back(MakeCamera(cube.Center + DefaultDistance * edge * direction, cube.Center,
+    cameras.push_back(MakeCamera(cube.Center + MeasuringDistance * edge * direction, cube.Center,
       { 0.0, 1.0, 0.0 }, DefaultViewAngle));
   }
   return cameras;

@@ -94,7 +94,7 @@ void CameraOptions::AddTo(CLI::App& command)
   const std::string group = "Camera (world coordinates) and picture";
   command
     .add_option("--position", this->Position,
-      "position of the camera (default: two cube edges in front of the centre)")
+      "position of the camera (default: 2.4 cube edges in front of the centre)")
     ->expected(3)
     ->check(Finite())
     ->type_name("X Y Z")
@@ -136,12 +136,12 @@ std::array<double, 3> CameraOptions::GetBackground() const
   return FindColor(this->Background).value_or(std::array<double, 3>{});
 }
 
-vtkSmartPointer<vtkCamera> CameraOptions::MakeCamera(const Cube& cube) const
+vtkSmartPointer<vtkCamera> CameraOptions::MakeCamera(const Cube& cube, double distance) const
 {
   const double edge = std::max({ cube.Edges.x, cube.Edges.y, cube.Edges.z });
   const glm::dvec3 position = this->Position
     ? ToVector(*this->Position)
-    : cube.Center + DefaultDistance * edge * glm::normalize(DefaultDirection);
+    : cube.Center + distance * edge * glm::normalize(DefaultDirection);
   const glm::dvec3 focalPoint = this->FocalPoint ? ToVector(*this->FocalPoint) : cube.Center;
   if (!(glm::length(focalPoint - position) > 0.0))
   {

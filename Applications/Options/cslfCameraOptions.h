@@ -44,8 +44,12 @@ private:
 void EncodeShown(vtkCSLFToneMapping* toneMapping, const glm::dvec3& radiance, double alpha,
   unsigned char color[3]);
 
-/// The distance of default cameras from the cube's centre, in units of its longest edge.
-constexpr double DefaultDistance = 2.0;
+///@{
+/// The distance of default cameras from the cube's centre, in units of its longest edge: of a
+/// picture, which contains the whole cube, and for measurements, where the cube fills it.
+constexpr double PictureDistance = 2.4;
+constexpr double MeasuringDistance = 2.0;
+///@}
 
 /// The default vertical view angle in degrees.
 constexpr double DefaultViewAngle = 40.0;
@@ -64,7 +68,7 @@ public:
   void AddTo(CLI::App& command);
 
   /// The camera. The cube gives the defaults. Throws a Failure if the position is the focal point.
-  vtkSmartPointer<vtkCamera> MakeCamera(const Cube& cube) const;
+  vtkSmartPointer<vtkCamera> MakeCamera(const Cube& cube, double distance = PictureDistance) const;
 
   int GetWidth() const { return this->Size[0]; }
   int GetHeight() const { return this->Size[1]; }

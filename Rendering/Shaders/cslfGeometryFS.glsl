@@ -5,6 +5,7 @@
 
 // Options:
 //   BACK_COLORS      its back has other colours
+//   BRIGHT           some colours are above 1
 //   CLIPPING_PLANES  how many planes cut it
 //CSLF::Options::Dec
 
@@ -24,6 +25,10 @@ uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // visible parts lie where they 
 
 //CSLF::Normals::Dec
 
+#ifdef BRIGHT
+const float BrightOffset = 5e-6; // of the depth buffer's range: some 80 of its steps
+#endif
+
 void main()
 {
 #ifdef CLIPPING_PLANES
@@ -37,9 +42,15 @@ void main()
 #endif
   vec3 normal = cross(dFdx(pointCCVSOutput), dFdy(pointCCVSOutput));
   gl_FragData[0] = vec4(pointCCVSOutput, PackNormal(normal));
+  vec4 color = colorVSOutput;
 #ifdef BACK_COLORS
-  gl_FragData[1] = gl_FrontFacing == (IsMirrored == 0) ? colorVSOutput : backColorVSOutput;
-#else
-  gl_FragData[1] = colorVSOutput;
+  color = gl_FrontFacing == (IsMirrored == 0) ? colorVSOutput : backColorVSOutput;
+#endif
+  gl_FragData[1] = color;
+#ifdef BRIGHT
+  // Where what is bright touches the back of something dark, as a lamp does the roof above it, both
+  // are as deep, and a single ray that met the former would make the pixel white.
+  bool isBright = max(color.r, max(color.g, color.b)) > 1.0;
+  gl_FragDepth = gl_FragCoord.z + (isBright ? BrightOffset : 0.0);
 #endif
 }
