@@ -220,26 +220,26 @@ void DiffuseEstimator::TakeSamples(
   this->Rays.fetch_add(rays, std::memory_order_relaxed);
 }
 
-/// Sets whether a point is hidden in a closed body, and its reach. Such a point sees the inside of
-/// the body along its normal and in most directions: in the others, it sees further bodies that
-/// reach into that one.
+/// Sets whether a point is hidden in a closed body or a gap, and its reach. Such a point sees the
+/// inside of the body, or the other side of the gap, along its normal and in most directions: in
+/// the others, it sees further bodies that reach into that one, or far along the gap. Light in a
+/// gap may be very different from that beside it, as between a lamp and the ceiling that it hangs
+/// from, and must not spread there.
 bool DiffuseEstimator::FindHidden(
   const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate)
 {
-  if (!this->Limits.IsInside)
-  {
-    return false;
-  }
   float nearest = std::numeric_limits<float>::infinity();
-  const auto seesInside = [&](const glm::vec3& direction)
+  const auto isEnclosed = [&](const glm::vec3& direction)
   {
     const Ray ray{ receiver.Surface.LeavePosition, receiver.Local.ToWorld(direction) };
     const Hit hit = this->World.Intersect(ray);
     nearest = hit.IsValid() ? std::min(nearest, hit.Distance) : nearest;
-    return hit.IsValid() && this->Limits.IsInside(ray, hit);
+    return hit.IsValid() &&
+      ((hit.Distance < this->Limits.Gap && !this->World.GetMeshes()[hit.Mesh].CanBePassed()) ||
+        (this->Limits.IsInside && this->Limits.IsInside(ray, hit)));
   };
   // One ray rules out nearly all points that are not hidden.
-  const bool mayBe = seesInside({ 0.0f, 0.0f, 1.0f });
+  const bool mayBe = isEnclosed({ 0.0f, 0.0f, 1.0f });
   this->Rays.fetch_add(1, std::memory_order_relaxed);
   if (!mayBe)
   {
@@ -253,7 +253,7 @@ bool DiffuseEstimator::FindHidden(
     this->Directions.Get(hash, i, local);
     for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
-      count += seesInside({ local.X[lane], local.Y[lane], local.Z[lane] }) ? 1 : 0;
+      count += isEnclosed({ local.X[lane], local.Y[lane], local.Z[lane] }) ? 1 : 0;
     }
   }
   this->Rays.fetch_add(all, std::memory_order_relaxed);

@@ -55,6 +55,10 @@ public:
     /// Whether what a ray hits is the inside of a closed body without light, as in
     /// OpenSides::IsInside. Points that mostly see such hits are hidden. May be empty.
     std::function<bool(const Ray&, const Hit&)> IsInside;
+
+    /// The width of gaps in scene space, into which nobody sees: points that see opaque surfaces
+    /// nearer than that along their normal, and in most directions, are hidden, too.
+    float Gap = 0.0f;
   };
 
   /// The paths end at the light of the cache, if there is one.

@@ -51,6 +51,9 @@ constexpr float NoiseShare = 2.0f / 3.0f;
 // The width of the area within which noise is averaged, in spacings: about that of a texel.
 constexpr float NoiseWidth = 3.0f;
 
+// The width of gaps that count as closed, in spacings: less than a quarter of a texel.
+constexpr double GapWidth = 0.5;
+
 // The simple steps of the layout for each triangle, of two rounds.
 constexpr double LayoutSteps = 60.0;
 
@@ -382,7 +385,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
     { DiffuseEstimator::Light::Sampled, FirstLightSamples,
       std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance,
       noiseArea, 0, this->Settings.Seed, lattice.Display, {}, this->Settings.Share,
-      this->GetInsideTest() });
+      this->GetInsideTest(), static_cast<float>(GapWidth * this->Spacing) });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
@@ -401,7 +404,8 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   DiffuseEstimator estimator(this->World, paths, this,
     { DiffuseEstimator::Light::Gathered, firstSamples, std::max(firstSamples, lastSamples),
       NoiseShare * lattice.Tolerance, this->GetNoiseArea(), depth, this->Settings.Seed,
-      lattice.Display, this->Lobes, this->Settings.Share, this->GetInsideTest() });
+      lattice.Display, this->Lobes, this->Settings.Share, this->GetInsideTest(),
+      static_cast<float>(GapWidth * this->Spacing) });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;
