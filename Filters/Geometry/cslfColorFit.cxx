@@ -27,8 +27,11 @@ constexpr std::size_t MaximumMeetings = 8;
 constexpr float MaximumDifference = 2.0f / 255.0f;
 
 /// The RMS error of the triangles around a point whose colour shows the surface well, in
-/// tolerances.
-constexpr double ExactTolerances = 3.0;
+/// tolerances: views that are interpolated between viewpoints are worse.
+constexpr double ExactTolerances = 12.0;
+
+/// The same for detail that is finer than the triangles, which viewpoints may show.
+constexpr double ExactDetailTolerances = 3.0;
 
 /// If no more of what is sampled has larger errors, there are no viewpoints for so little.
 constexpr double MaximumRest = 0.005;
@@ -435,7 +438,7 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
   const auto errs = [&](std::size_t triangle, int side)
   {
     return this->FindError(triangle, side) > most * this->Samples[triangle].Area ||
-      this->HasDetail(triangle, ExactTolerances);
+      this->HasDetail(triangle, ExactDetailTolerances);
   };
   bool areComplete = true;
   double all = 0.0;

@@ -31,7 +31,7 @@ public:
   static constexpr double MaximumLoss = 0.05;
 
   /// The largest error of colours (GeometryFit::GetColorError) with which they are the geometry's.
-  static constexpr double MaximumColorError = 8.0 / 255.0;
+  static constexpr double MaximumColorError = 24.0 / 255.0;
 
   /// Nothing is computed.
   GeometryPlan() = default;
