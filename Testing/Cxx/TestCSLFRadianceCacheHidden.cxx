@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The cached light of bodies that reach into each other: what is hidden in a body must not darken
-// what is seen.
+// what is seen, and what is hidden above a lamp must not brighten it.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "cslfTestTransport.h"
 
@@ -107,6 +107,41 @@ void TestLamp(const cslf::Mesh& body)
   }
 }
 
+/// A ceiling a little above a lamp, with a rim between them: beside the lamp, it gets only the
+/// light of the floor.
+void TestGap()
+{
+  constexpr float gap = 0.01f;
+  const auto makeRectangle = cslf::testing::MakeRectangle;
+  const cslf::SurfaceMaterial white = cslf::testing::MakeDiffuse(0.6f);
+  const glm::vec3 x(0.2f, 0.0f, 0.0f);
+  const glm::vec3 y(0.0f, 0.2f, 0.0f);
+  const glm::vec3 z(0.0f, 0.0f, 0.5f * gap);
+  const glm::vec3 middle(0.0f, 0.0f, 0.5f - 0.5f * gap);
+  const cslf::Scene scene(
+    { makeRectangle({ 0.0f, 0.0f, 0.5f }, 5.0f * y, 5.0f * x, white),
+      makeRectangle({ 0.0f, 0.0f, -0.5f }, 5.0f * x, 5.0f * y, white),
+      makeRectangle({ 0.0f, 0.0f, 0.5f - gap }, y, x, cslf::testing::MakeDiffuse(0.0f, 5.0f)),
+      makeRectangle(middle + x, y, z, white), makeRectangle(middle - x, y, z, white),
+      makeRectangle(middle + y, z, x, white), makeRectangle(middle - y, z, x, white) },
+    cslf::testing::MakeUniformLight(0.0f));
+  cslf::CacheSettings settings;
+  settings.Spacing = 0.1;
+  settings.Samples = 512;
+  cslf::RadianceCache cache(scene, settings);
+  CSLF_CHECK(cache.Build([](double) { return true; }));
+  for (const float beside : { 0.201f, 0.21f, 0.25f, 0.3f })
+  {
+    const cslf::Ray ray = cslf::testing::LookAt({ 0.9f, 0.1f, 0.2f }, { beside, 0.03f, 0.5f });
+    const cslf::Hit hit = scene.Intersect(ray);
+    CSLF_CHECK(hit.IsValid() && hit.Mesh == 0 && cache.Covers(hit));
+    const double truth = cslf::testing::Trace(scene, ray, {}, 1 << 14).Mean;
+    std::cout << "beside a lamp: " << 0.6 * cache.Get(hit).x << " instead of " << truth << "\n";
+    // The rim's own shade, closer to it than any point, is not resolved.
+    CSLF_CHECK_NEAR(0.6 * cache.Get(hit).x, truth, beside < 0.21f ? 0.02 : 0.1 * truth);
+  }
+}
+
 /// A pyramid that stands in a block, of whose triangles only one corner is outside, whichever it
 /// is.
 void TestTip(int turns)
@@ -163,6 +198,7 @@ int TestCSLFRadianceCacheHidden(int, char*[])
     }
   }
   TestLamp(MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 1.0f }, false));
+  TestGap();
   TestLamp(MakeBall({ 0.0f, 0.0f, 0.0f }, 1.2f, 0.6f));
   return cslf::testing::Result();
 }
