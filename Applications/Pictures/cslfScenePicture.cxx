@@ -132,8 +132,7 @@ struct Framing
 };
 
 /// A view through the opening of the Cornell box, which it fills.
-vtkSmartPointer<vtkCamera> MakeInnerCamera(
-  const Scene& scene, const SceneAxes& axes, double aspect)
+vtkSmartPointer<vtkCamera> MakeInnerCamera(const Scene& scene, const SceneAxes& axes, double aspect)
 {
   constexpr glm::dvec3 inward(0.3, 0.2, 1.0);
   return Framing(scene, axes.Get(inward), axes.Up, aspect).Camera;

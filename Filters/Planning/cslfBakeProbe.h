@@ -97,7 +97,7 @@ private:
   double Threads;
   BakeCosts Costs;
   FieldDetail Detail;
-  vtkSmartPointer<vtkPolyData> Geometry; ///< null if the sampler makes none
+  vtkSmartPointer<vtkPolyData> Geometry;   ///< null if the sampler makes none
   std::optional<double> WholeCacheSeconds; ///< that have been measured
   double Growth = 1.5;
   std::string Error;
