@@ -64,7 +64,7 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
-cslf_add(Filters/Coding/Geometry GeometryCodec GeometryTexels GeometryFit GeometryRays)
+cslf_add(Filters/Coding/Geometry BodyGroups GeometryCodec GeometryTexels GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
 cslf_add(Filters/Coding/Frames
@@ -109,7 +109,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/Parallel SceneGather)
-  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces SurfaceLight Tessellation)
+  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces ShapeGroups SurfaceLight Tessellation)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials

@@ -302,7 +302,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->Geometry =
       cslf::MakeGeometryData(made->Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
         { scene.Frame.Radius * made->Error.RootMeanSquare, made->Error.Loss, scene.Fingerprint,
-          shapes.Omitted > 0 });
+          shapes.Omitted > 0, made->Groups });
     if (shapes.Omitted > 0 || this->ColorType == VTK_FLOAT)
     {
       // Rays may pass veils before the surfaces, which only the viewpoints show. And the colours

@@ -157,8 +157,9 @@ public:
   ///@{
   /**
    * The most triangles of the geometry on output port 1. There are fewer where that moves surfaces
-   * by less than a tenth of a texel, but none has edges of more than 32 texels if they suffice. 0
-   * means no geometry: the port's output is empty. Default:
+   * by less than a tenth of a texel, but none has edges of more than 32 texels if they suffice.
+   * Small spheres, sticks and instances may have five times as many, because files store one of
+   * them and where the others are. 0 means no geometry: the port's output is empty. Default:
    * 200000.
    */
   void SetGeometryTriangles(int triangles);

@@ -153,9 +153,11 @@ def read_attributes(stream, points, size):
 def read_colors(header, streams):
     """The exact colours of bytes: front and back, point, red, green, blue and whether it is exact;
     nothing if there are none."""
-    if header.get("colors") != "srgb8" or not header.get("exact_bytes", 0):
+    if header.get("colors") != "srgb8":
         return None
     count = header["points"]
+    if count == 0:
+        return numpy.zeros((2, 0, 4), "u1")
     sizes = [header["color_bytes"], header.get("back_color_bytes", 0), header["exact_bytes"]]
     ends = numpy.cumsum(sizes)
     sides = [read_attributes(streams[end - size:end], count, 4) if size else None
@@ -175,6 +177,66 @@ def read_colors(header, streams):
     return numpy.stack(sides[:2])
 
 
+def take(stream, count, kind):
+    """Numbers whose low bytes come before their high bytes, and what follows them."""
+    size = numpy.dtype(kind).itemsize
+    planes = numpy.frombuffer(stream[:count * size], "u1").reshape(size, count)
+    return numpy.ascontiguousarray(planes.T).view(kind)[:, 0], stream[count * size:]
+
+
+class Bodies:
+    """The bodies of a group: each is the same mesh at another place, with other colours."""
+
+    def __init__(self, header, group, stream, position_bits):
+        count = header["sides"] * 3 * group["points"]
+        self.size = group["bodies"]
+        self.points = group["points"]
+        self.sides = header["sides"]
+        self.step = header["step"]
+        corners, stream = take(stream, 3 * group["triangles"], "<u4")
+        points, stream = take(stream, 3 * group["points"], "<i2")
+        self.mean, stream = take(stream, count, "<i4")
+        vectors = []
+        for _ in range(group["vectors"]):
+            vector, stream = take(stream, count, "<i2")
+            vectors.append(vector)
+        self.vectors = numpy.array(vectors, "i8").reshape(-1, count)
+        sequences = []
+        for k in range(12 + group["vectors"]):
+            numbers, stream = take(stream, self.size, "<u2")
+            numbers = (numbers >> 1) ^ (0 - (numbers & 1)).astype("u2")
+            numbers = numpy.cumsum(numbers, dtype="u2") if k < 12 else numbers
+            sequences.append(numbers.view("i2"))
+        self.multiples = numpy.array(sequences[12:], "i8").reshape(-1, self.size)
+        self.flags = None
+        if header["has_exact"]:
+            flags, stream = take(stream, 2 * self.points * self.size, "u1")
+            self.flags = flags.reshape(2, -1)
+        self.rest = stream
+        steps = 1 << (position_bits - 1)
+        matrices = numpy.array(sequences[:12], float).T.reshape(-1, 3, 4)
+        matrices[:, :, 3] /= steps - 1
+        matrices[:, :, :3] *= 1.0 / (steps * group["extent"])
+        x, y, z = points.reshape(-1, 3).T * group["extent"] / 32767
+        m = matrices[:, :, :, None]
+        places = m[:, :, 0] * x + m[:, :, 1] * y + m[:, :, 2] * z + m[:, :, 3]
+        self.places = numpy.clip(places.transpose(0, 2, 1), -1.0, 1.0).reshape(-1, 3)
+        starts = self.points * numpy.arange(self.size)
+        triangles = corners.astype(int).reshape(-1, 3)
+        mirrored = triangles[:, [0, 2, 1]]
+        is_mirrored = (numpy.cross(matrices[:, :, 0], matrices[:, :, 1]) * matrices[:, :, 2]).sum(1) < 0
+        self.corners = (numpy.where(is_mirrored[:, None, None], mirrored, triangles)
+                        + starts[:, None, None]).reshape(-1, 3)
+
+    def colors(self):
+        """Those of the front and the back: point, red, green, blue and whether it is exact."""
+        sums = self.mean + self.step * (self.multiples.T @ self.vectors) + (1 << 14)
+        codes = numpy.clip(sums >> 15, 0, 255).reshape(self.size, self.sides, self.points, 3)
+        sides = [codes[:, min(k, self.sides - 1)].reshape(-1, 3) for k in range(2)]
+        return numpy.stack([numpy.concatenate([side, flags[:, None]], axis=1)
+                            for side, flags in zip(sides, self.flags)])
+
+
 def read_geometry(data):
     """Points in CC, the corners of triangles, exact colours, and the header, of the bytes of the
     part."""
@@ -183,13 +245,28 @@ def read_geometry(data):
     streams = zlib.decompress(data[4 + size:])
     middle = header["corner_bytes"]
     end = middle + header["position_bytes"]
-    corners = Corners(streams[:middle], header["triangles"]).corners
-    positions = read_attributes(streams[middle:end], header["points"], 8)
+    count = header["points"]
+    corners = Corners(streams[:middle], header["triangles"]).corners if count else []
+    positions = (read_attributes(streams[middle:end], count, 8) if count
+                 else numpy.zeros((0, 8), "u1"))
     steps = positions.view("<u2")[:, :3].astype(float)
     most = 2 ** header.get("position_bits", 16) - 1
     bounds = numpy.array(header.get("position_bounds", [-1, -1, -1, 1, 1, 1]), float)
     points = bounds[:3] + steps / most * (bounds[3:] - bounds[:3])
-    return points, numpy.array(corners), read_colors(header, streams[end:]), header
+    corners = numpy.array(corners, int).reshape(-1, 3)
+    colors = read_colors(header, streams[end:])
+    if "bodies" in header:
+        end += (header["color_bytes"] + header.get("back_color_bytes", 0)
+                + header.get("exact_bytes", 0))
+        rest = streams[end:]
+        for group in header["bodies"]["groups"]:
+            bodies = Bodies(header["bodies"], group, rest, header.get("position_bits", 16))
+            rest = bodies.rest
+            corners = numpy.concatenate([corners, bodies.corners + len(points)])
+            points = numpy.concatenate([points, bodies.places])
+            if colors is not None:
+                colors = numpy.concatenate([colors, bodies.colors()], axis=1)
+    return points, corners, colors, header
 
 
 # What viewpoints see of it.

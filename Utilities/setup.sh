@@ -15,7 +15,7 @@ build="$source/build/release"
 cslf_library_packages=(
   cmake g++ ninja-build pkg-config
   libvtk9-dev libpython3-dev python3
-  libembree-dev libglu1-mesa-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev nlohmann-json3-dev zlib1g-dev
+  libeigen3-dev libembree-dev libglu1-mesa-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev nlohmann-json3-dev zlib1g-dev
   libavcodec-dev libavformat-dev libavutil-dev
   xauth xvfb)
 

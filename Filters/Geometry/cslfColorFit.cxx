@@ -74,6 +74,13 @@ std::vector<std::size_t> ColorFit::ListNew() const
 void ColorFit::JoinCorners()
 {
   const std::vector<glm::uvec3>& triangles = this->Surface.Triangles;
+  if (this->Settings.KeepsMesh)
+  {
+    this->Values = triangles;
+    this->Places.resize(this->Surface.Points.size());
+    std::iota(this->Places.begin(), this->Places.end(), 0U);
+    return;
+  }
   struct Use
   {
     std::uint64_t Edge;
@@ -352,6 +359,10 @@ void ColorFit::LimitEdges(std::vector<std::uint64_t>& edges) const
 
 bool ColorFit::Refine()
 {
+  if (this->Settings.KeepsMesh)
+  {
+    return false;
+  }
   std::unordered_map<std::uint64_t, unsigned int> middles;
   std::vector<glm::vec3>& points = this->Surface.Points;
   for (const std::uint64_t edge : this->ChooseEdges())
@@ -440,7 +451,6 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
     return this->FindError(triangle, side) > most * this->Samples[triangle].Area ||
       this->HasDetail(triangle, ExactDetailTolerances);
   };
-  bool areComplete = true;
   double all = 0.0;
   double known = 0.0;
   double rest = 0.0;
@@ -449,13 +459,12 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
     for (std::size_t i = 0; i < this->Values.size(); ++i)
     {
       const double weight = this->Samples[i].Sides[side].Weight;
-      areComplete = areComplete && this->Samples[i].AreComplete[side];
       all += weight;
       known += this->Samples[i].AreComplete[side] ? weight : 0.0;
       rest += errs(i, side) ? weight : 0.0;
     }
   }
-  const bool areAllExact = areComplete && rest <= MaximumRest * all;
+  const bool areAllExact = all - known + rest <= MaximumRest * all;
   std::array<std::vector<char>, 2> areExact;
   for (const int side : { 0, 1 })
   {

@@ -127,6 +127,7 @@ struct ColorFitSettings
   float ShortestEdge = 0.0f; ///< edges that are no longer are not divided
   bool ClampsColors = true;  ///< whether colours end at 1
   bool HasCreases = true;    ///< whether angles between triangles are those of what was sampled
+  bool KeepsMesh = false;    ///< whether each point has one colour, and no triangle is divided
   double Tolerance = 0.0;    ///< the RMS error of a triangle that is small enough
   /// The same for what best fits its detail: the colours may be better known than their light.
   double DetailTolerance = 0.0;

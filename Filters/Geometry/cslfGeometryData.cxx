@@ -7,6 +7,7 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -23,6 +24,51 @@ void AddNumber(const char* name, double number, vtkPolyData* data)
   array->SetName(name);
   array->InsertNextValue(number);
   data->GetFieldData()->AddArray(array);
+}
+
+template <typename Array>
+Array* AddArray(const char* name, int components, vtkPolyData* data)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  data->GetFieldData()->AddArray(array);
+  return array;
+}
+
+void AddGroupArrays(const std::vector<InstanceGroup>& groups, const glm::dvec3& center,
+  const glm::dvec3& scale, vtkPolyData* data)
+{
+  if (groups.empty())
+  {
+    return;
+  }
+  auto* sizes = AddArray<vtkIdTypeArray>(GeometryGroupsName, 3, data);
+  auto* prototypes = AddArray<vtkDoubleArray>(GeometryPrototypesName, 3, data);
+  auto* placements = AddArray<vtkDoubleArray>(GeometryPlacementsName, 12, data);
+  for (const InstanceGroup& group : groups)
+  {
+    sizes->InsertNextTuple3(static_cast<double>(group.Prototype.Points.size()),
+      static_cast<double>(group.Prototype.Triangles.size()),
+      static_cast<double>(group.Placements.size()));
+    for (const glm::vec3& point : group.Prototype.Points)
+    {
+      prototypes->InsertNextTuple3(point.x, point.y, point.z);
+    }
+    for (const InstanceGroup::Placement& placement : group.Placements)
+    {
+      double matrix[12];
+      for (int row = 0; row < 3; ++row)
+      {
+        for (int column = 0; column < 3; ++column)
+        {
+          matrix[4 * row + column] = scale[row] * placement.Linear[column][row];
+        }
+        matrix[4 * row + 3] = center[row] + scale[row] * placement.Offset[row];
+      }
+      placements->InsertNextTuple(matrix);
+    }
+  }
 }
 }
 
@@ -60,6 +106,7 @@ vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm
     hash->InsertNextValue(record.Scene);
     data->GetFieldData()->AddArray(hash);
   }
+  AddGroupArrays(record.Groups, center, scale, data);
   return data;
 }
 }

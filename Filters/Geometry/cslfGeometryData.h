@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -28,6 +29,7 @@ struct GeometryRecord
   double Loss = 0.0;
   std::string Scene;     ///< a hash; not written if it is empty
   bool IsOpaque = false; ///< whether it has only the opaque ones of the scene's surfaces
+  std::vector<InstanceGroup> Groups; ///< the bodies that are last in the mesh
 };
 
 /// The triangles of a mesh. Its points become `center` + `scale` * point.

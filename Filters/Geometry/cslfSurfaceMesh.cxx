@@ -7,6 +7,7 @@
 #include <meshoptimizer.h>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -60,6 +61,24 @@ void Collapse(SurfaceMesh& mesh, std::size_t most, float share)
         result, indices, count, points, pointCount, Stride, 3 * most, share, 0, nullptr);
     });
 }
+}
+
+void Append(const InstanceGroup& group, SurfaceMesh& mesh)
+{
+  for (const InstanceGroup::Placement& placement : group.Placements)
+  {
+    const auto first = static_cast<std::uint32_t>(mesh.Points.size());
+    const bool isMirrored = glm::determinant(placement.Linear) < 0.0f;
+    for (const glm::vec3& point : group.Prototype.Points)
+    {
+      mesh.Points.push_back(placement.Linear * point + placement.Offset);
+    }
+    for (const glm::uvec3& corners : group.Prototype.Triangles)
+    {
+      const glm::uvec3 moved = first + corners;
+      mesh.Triangles.push_back(isMirrored ? glm::uvec3(moved.x, moved.z, moved.y) : moved);
+    }
+  }
 }
 
 void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh)

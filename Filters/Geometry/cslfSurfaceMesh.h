@@ -11,6 +11,7 @@
 
 #include "Pipeline/cslfPhase.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -25,6 +26,24 @@ struct SurfaceMesh
   std::vector<glm::vec3> Points;
   std::vector<glm::uvec3> Triangles;
 };
+
+/// Bodies that are one mesh at several places.
+struct InstanceGroup
+{
+  struct Placement
+  {
+    glm::mat3 Linear{ 1.0f }; ///< with the offset: from the prototype
+    glm::vec3 Offset{ 0.0f };
+  };
+
+  SurfaceMesh Prototype;
+  std::vector<Placement> Placements;
+  bool IsClosed = false; ///< whether nobody sees its back
+};
+
+/// Adds the bodies of a group, in their order. Each has the points and triangles of the prototype,
+/// in their order; a mirrored one with the last two corners of each triangle exchanged.
+VTKCSLF_EXPORT void Append(const InstanceGroup& group, SurfaceMesh& mesh);
 
 /// Removes the triangles that are marked by 0.
 VTKCSLF_EXPORT void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh);

@@ -55,6 +55,19 @@ constexpr double MaximumUsefulLoss = 0.2;
 /// A text: the hash of the scene that is also in the description of its fields.
 constexpr const char* GeometrySceneName = "GeometryScene";
 
+/// Field data of three integers for each group of bodies that are one mesh, the prototype, at
+/// several places: the points and triangles of the prototype, and the number of bodies. The bodies
+/// come last among the points and the triangles, in the order of the groups, and each has its
+/// points and triangles in the order of the prototype's.
+constexpr const char* GeometryGroupsName = "GeometryGroups";
+
+///@{
+/// Field data: the points of all prototypes, and for each body the matrix of 3 x 4 numbers, row by
+/// row, that takes them to world coordinates.
+constexpr const char* GeometryPrototypesName = "GeometryPrototypes";
+constexpr const char* GeometryPlacementsName = "GeometryPlacements";
+///@}
+
 /// A text: the description of the field in the file beside which the tool wrote the geometry.
 constexpr const char* GeometryFieldName = "GeometryField";
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryCodec.h"
 
+#include "cslfBodyGroups.h"
+
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
@@ -53,8 +55,8 @@ constexpr int MinimumPositionBits = 12;
 constexpr int StepsOfTexel = 64;
 
 /// Colours of bytes have this many steps: fewer if they are only for what no viewpoint sees.
-constexpr double ExactSteps = 255.0;
-constexpr double ColorSteps = 63.0;
+constexpr int ExactSteps = 255;
+constexpr int ColorSteps = 63;
 
 /// The flags of exact colours, with padding.
 constexpr std::size_t FlagsSize = 4;
@@ -93,8 +95,10 @@ struct Streams
   std::vector<unsigned char> BackColors; ///< none without others
   std::vector<unsigned char> Flags;      ///< none if no colour is exact
   bool AreHalves = false;
+  bool HasFlags = false;
+  BodyGroups Bodies; ///< their points and triangles come after the others
 
-  double GetColorSteps() const { return this->Flags.empty() ? ColorSteps : ExactSteps; }
+  int GetColorSteps() const { return this->HasFlags ? ExactSteps : ColorSteps; }
   std::size_t GetColorSize() const { return 4 * GetCodeSize(this->AreHalves); }
   double GetPositionSteps() const { return (1 << this->PositionBits) - 1; }
 };
@@ -233,6 +237,7 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
 {
   const PointColorArrays colors = FindPointColors(triangles);
   streams.AreHalves = colors.Front && colors.Front->GetDataType() != VTK_UNSIGNED_CHAR;
+  streams.HasFlags = colors.Exact != nullptr;
   for (std::size_t i = 0; colors.Exact && i < FlagsSize * streams.Points; ++i)
   {
     const auto point = static_cast<vtkIdType>(i / FlagsSize);
@@ -243,9 +248,37 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
   streams.BackColors = ListCodes(colors.Back, streams.AreHalves, streams.GetColorSteps());
 }
 
+/// Takes the bodies that are one mesh at several places out of the streams. The colours of floats
+/// have no such form.
+void TakeBodies(vtkPolyData* geometry, vtkPolyData* triangles, const Cube& box, Streams& streams)
+{
+  if (streams.AreHalves)
+  {
+    return;
+  }
+  PointCodes codes{ std::move(streams.Colors), std::move(streams.BackColors),
+    std::move(streams.Flags) };
+  streams.Bodies = BodyGroups::Take(
+    geometry, triangles, box, streams.PositionBits, streams.GetColorSteps(), codes);
+  streams.Points -= streams.Bodies.CountPoints();
+  streams.Positions.resize(PositionSize * streams.Points);
+  streams.Corners.resize(streams.Corners.size() - 3 * streams.Bodies.CountTriangles());
+  for (std::vector<unsigned char>* stream : { &codes.Colors, &codes.BackColors, &codes.Flags })
+  {
+    stream->resize(stream->empty() ? 0 : 4 * streams.Points);
+  }
+  streams.Colors = std::move(codes.Colors);
+  streams.BackColors = std::move(codes.BackColors);
+  streams.Flags = std::move(codes.Flags);
+}
+
 /// The codecs need triangles and points in an order of use. Drops unused points.
 void Sort(Streams& streams)
 {
+  if (streams.Corners.empty())
+  {
+    return;
+  }
   std::vector<unsigned int> sorted(streams.Corners.size());
   meshopt_optimizeVertexCacheStrip(
     sorted.data(), streams.Corners.data(), sorted.size(), streams.Points);
@@ -299,6 +332,10 @@ std::vector<unsigned char> CodeColorDifferences(const Streams& streams)
 
 std::vector<unsigned char> CodeCorners(const Streams& streams)
 {
+  if (streams.Corners.empty())
+  {
+    return {};
+  }
   // The version of EXT_meshopt_compression.
   meshopt_encodeIndexVersion(1);
   std::vector<unsigned char> coded(
@@ -342,11 +379,15 @@ JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
     { "position_bounds",
       { streams.Low.x, streams.Low.y, streams.Low.z, streams.High.x, streams.High.y,
         streams.High.z } } };
-  if (!streams.Colors.empty())
+  if (FindPointColors(geometry).Front)
   {
     header["colors"] = streams.AreHalves ? HalfColors
-      : streams.Flags.empty()            ? ByteColors
-                                         : ExactByteColors;
+      : streams.HasFlags                 ? ExactByteColors
+                                         : ByteColors;
+  }
+  if (!streams.Bodies.IsEmpty())
+  {
+    header["bodies"] = streams.Bodies.Describe();
   }
   const double error = GetNumber(geometry, GeometryErrorName);
   const double loss = GetNumber(geometry, GeometryLossName);
@@ -383,6 +424,53 @@ std::vector<unsigned char> Compress(const std::vector<unsigned char>& bytes)
   }
   compressed.resize(size);
   return compressed;
+}
+
+/// The bytes of the part.
+std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
+{
+  Sort(streams);
+  std::array<std::vector<unsigned char>, 5> parts = { CodeCorners(streams),
+    CodeVertices(streams.Positions, streams.Points, PositionSize),
+    CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors),
+    CodeVertices(streams.Flags, streams.Points, FlagsSize) };
+  std::vector<unsigned char> differences = CodeColorDifferences(streams);
+  JSON subtracted = { Green };
+  if (differences.size() < parts[3].size())
+  {
+    parts[3] = std::move(differences);
+    subtracted.push_back(Front);
+  }
+  JSON header = DescribeGeometry(geometry, streams);
+  if (!parts[2].empty())
+  {
+    header["subtracted"] = subtracted;
+  }
+  header["corner_bytes"] = parts[0].size();
+  header["position_bytes"] = parts[1].size();
+  header["color_bytes"] = parts[2].size();
+  if (!parts[3].empty())
+  {
+    header["back_color_bytes"] = parts[3].size();
+  }
+  if (!parts[4].empty())
+  {
+    header["exact_bytes"] = parts[4].size();
+  }
+  std::vector<unsigned char> all;
+  for (const std::vector<unsigned char>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  const std::vector<unsigned char> bodies = streams.Bodies.Pack();
+  all.insert(all.end(), bodies.begin(), bodies.end());
+  const std::string text = header.dump();
+  std::vector<unsigned char> bytes(sizeof(std::uint32_t));
+  Store(static_cast<std::uint32_t>(text.size()), bytes.data());
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  const std::vector<unsigned char> compressed = Compress(all);
+  bytes.insert(bytes.end(), compressed.begin(), compressed.end());
+  return bytes;
 }
 
 /// The size of a stream in the header, within limits.
@@ -453,6 +541,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
   auto geometry = vtkSmartPointer<vtkPolyData>::New();
   geometry->SetPoints(points);
   geometry->SetPolys(triangles);
+  streams.Bodies.Append(box, geometry);
   if (!streams.Colors.empty())
   {
     geometry->GetPointData()->SetScalars(
@@ -468,7 +557,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
     vtkNew<vtkUnsignedCharArray> exact;
     exact->SetName(ExactColorName);
     exact->SetNumberOfComponents(2);
-    for (std::size_t point = 0; point < streams.Points; ++point)
+    for (std::size_t point = 0; point < streams.Flags.size() / FlagsSize; ++point)
     {
       exact->InsertNextTuple2(
         streams.Flags[FlagsSize * point], streams.Flags[FlagsSize * point + 1]);
@@ -509,12 +598,6 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   // equal bytes of points take at least one.
   constexpr std::size_t mostGrowth = 1100;
   constexpr std::size_t mostPerByte = 64;
-  Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
-  // The encoder drops points that no triangle uses.
-  Require(points <= 3 * triangles);
-  const auto canHold = [&](std::size_t stream, std::size_t pointSize)
-  { return points * pointSize <= mostPerByte * stream; };
-  Require(canHold(sizes[1], PositionSize));
   Streams streams;
   streams.Points = points;
   if (header.contains("position_bits"))
@@ -523,6 +606,19 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     Require(bits >= MinimumPositionBits && bits <= MaximumPositionBits);
     streams.PositionBits = static_cast<int>(bits);
   }
+  if (header.contains("bodies"))
+  {
+    streams.Bodies = BodyGroups::Read(
+      header.at("bodies"), streams.PositionBits, MaximumItems, mostGrowth * (rest + 1));
+  }
+  const std::size_t bodySize = streams.Bodies.GetSize();
+  Require((points > 0) == (triangles > 0) && (points > 0 || !streams.Bodies.IsEmpty()));
+  Require(size + bodySize <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
+  // The encoder drops points that no triangle uses.
+  Require(points <= 3 * triangles);
+  const auto canHold = [&](std::size_t stream, std::size_t pointSize)
+  { return points * pointSize <= mostPerByte * stream; };
+  Require(canHold(sizes[1], PositionSize));
   if (header.contains("position_bounds"))
   {
     const auto bounds = header.at("position_bounds").get<std::array<double, 6>>();
@@ -534,55 +630,69 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     }
   }
   const std::vector<unsigned char> coded =
-    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
+    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size + bodySize));
+  streams.Bodies.Unpack(coded.data() + size);
   streams.Corners.resize(3 * triangles);
-  streams.Positions.resize(PositionSize * points);
   const unsigned char* place = coded.data();
-  Require(meshopt_decodeIndexBuffer(streams.Corners.data(), streams.Corners.size(),
-            sizeof(unsigned int), place, sizes[0]) == 0);
+  Require(points == 0 ||
+    meshopt_decodeIndexBuffer(
+      streams.Corners.data(), streams.Corners.size(), sizeof(unsigned int), place, sizes[0]) == 0);
   Require(std::all_of(streams.Corners.begin(), streams.Corners.end(),
     [&](unsigned int corner) { return corner < streams.Points; }));
   place += sizes[0];
-  Require(meshopt_decodeVertexBuffer(
-            streams.Positions.data(), streams.Points, PositionSize, place, sizes[1]) == 0);
-  place += sizes[1];
+  const auto decodePoints =
+    [&](std::vector<unsigned char>& stream, std::size_t pointSize, std::size_t count)
+  {
+    Require(canHold(count, pointSize));
+    stream.resize(pointSize * points);
+    Require(points == 0 ||
+      meshopt_decodeVertexBuffer(stream.data(), points, pointSize, place, count) == 0);
+    place += count;
+  };
+  decodePoints(streams.Positions, PositionSize, sizes[1]);
   if (header.contains("colors"))
   {
     const auto kind = header.at("colors").get<std::string>();
-    Require(kind == HalfColors || kind == (sizes[4] > 0 ? ExactByteColors : ByteColors));
     streams.AreHalves = kind == HalfColors;
+    streams.HasFlags = sizes[4] > 0 || streams.Bodies.HasExactColors();
+    Require(kind ==
+      (streams.AreHalves     ? HalfColors
+          : streams.HasFlags ? ExactByteColors
+                             : ByteColors));
+    Require(streams.Bodies.IsEmpty() || !streams.AreHalves);
     const std::set<std::string> subtracted =
       header.value("subtracted", std::set<std::string>{ Front });
     Require(std::all_of(subtracted.begin(), subtracted.end(),
       [](const std::string& what) { return what == Green || what == Front; }));
+    PointCodes codes;
     const auto decode = [&](std::vector<unsigned char>& colors, std::size_t count)
     {
-      Require(canHold(count, streams.GetColorSize()));
-      colors.resize(streams.GetColorSize() * streams.Points);
-      Require(meshopt_decodeVertexBuffer(
-                colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
-      place += count;
+      decodePoints(colors, streams.GetColorSize(), count);
       if (subtracted.count(Green) > 0)
       {
         CombineWithGreen(colors, streams.AreHalves, 1);
       }
     };
-    decode(streams.Colors, sizes[2]);
+    decode(codes.Colors, sizes[2]);
     if (sizes[3] > 0)
     {
-      decode(streams.BackColors, sizes[3]);
+      decode(codes.BackColors, sizes[3]);
       if (subtracted.count(Front) > 0)
       {
-        Combine(streams.BackColors, streams.Colors, streams.AreHalves, 1);
+        Combine(codes.BackColors, codes.Colors, streams.AreHalves, 1);
       }
     }
     if (sizes[4] > 0)
     {
-      Require(canHold(sizes[4], FlagsSize));
-      streams.Flags.resize(FlagsSize * streams.Points);
-      Require(meshopt_decodeVertexBuffer(
-                streams.Flags.data(), streams.Points, FlagsSize, place, sizes[4]) == 0);
+      decodePoints(codes.Flags, FlagsSize, sizes[4]);
     }
+    const bool hasBack = sizes[3] > 0 || streams.Bodies.HasBackColors();
+    Require(points == 0 || streams.Bodies.IsEmpty() ||
+      (hasBack == (sizes[3] > 0) && streams.HasFlags == (sizes[4] > 0)));
+    streams.Bodies.AddCodes(streams.GetColorSteps(), hasBack, codes);
+    streams.Colors = std::move(codes.Colors);
+    streams.BackColors = std::move(codes.BackColors);
+    streams.Flags = std::move(codes.Flags);
   }
   return ToPolyData(streams, header, box);
 }
@@ -608,45 +718,15 @@ std::vector<unsigned char> EncodeGeometry(
     streams.PositionBits = FindPositionBits(resolution);
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
-    Sort(streams);
-    std::array<std::vector<unsigned char>, 5> parts = { CodeCorners(streams),
-      CodeVertices(streams.Positions, streams.Points, PositionSize),
-      CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors),
-      CodeVertices(streams.Flags, streams.Points, FlagsSize) };
-    std::vector<unsigned char> differences = CodeColorDifferences(streams);
-    JSON subtracted = { Green };
-    if (differences.size() < parts[3].size())
+    Streams apart = streams;
+    TakeBodies(geometry, triangles, box, apart);
+    std::vector<unsigned char> bytes = Pack(geometry, streams);
+    if (!apart.Bodies.IsEmpty())
     {
-      parts[3] = std::move(differences);
-      subtracted.push_back(Front);
+      // A few bodies may take fewer bytes as triangles.
+      std::vector<unsigned char> other = Pack(geometry, apart);
+      bytes = other.size() < bytes.size() ? std::move(other) : std::move(bytes);
     }
-    JSON header = DescribeGeometry(geometry, streams);
-    if (!parts[2].empty())
-    {
-      header["subtracted"] = subtracted;
-    }
-    header["corner_bytes"] = parts[0].size();
-    header["position_bytes"] = parts[1].size();
-    header["color_bytes"] = parts[2].size();
-    if (!parts[3].empty())
-    {
-      header["back_color_bytes"] = parts[3].size();
-    }
-    if (!parts[4].empty())
-    {
-      header["exact_bytes"] = parts[4].size();
-    }
-    std::vector<unsigned char> all;
-    for (const std::vector<unsigned char>& part : parts)
-    {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    const std::string text = header.dump();
-    std::vector<unsigned char> bytes(sizeof(std::uint32_t));
-    Store(static_cast<std::uint32_t>(text.size()), bytes.data());
-    bytes.insert(bytes.end(), text.begin(), text.end());
-    const std::vector<unsigned char> compressed = Compress(all);
-    bytes.insert(bytes.end(), compressed.begin(), compressed.end());
     return bytes;
   }
   catch (const std::exception& exception)

@@ -84,11 +84,12 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   }
   GeometryFit fit;
   const bool isDone = plan.Fit(slices, samples, progress, fit);
-  plan =
-    isDone && fit.Texels > 0 && fit.GetLoss() <= MaximumLoss ? std::move(plan) : GeometryPlan();
   plan.Computed.HasColor =
     plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
   plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll();
+  // What is thinner than a texel has no texels that show it, though the geometry has it.
+  const double most = plan.TellsAll() ? MaximumUsefulLoss : MaximumLoss;
+  plan = isDone && fit.Texels > 0 && fit.GetLoss() <= most ? std::move(plan) : GeometryPlan();
   plan.Tried = fit;
   return plan;
 }

@@ -27,7 +27,8 @@ VTKCSLF_EXPORT std::vector<int> GetTriedViewpoints(const Layout& grid);
 class GeometryPlan
 {
 public:
-  /// The largest loss of viewpoints (GeometryFit::GetLoss) with which a geometry is used.
+  /// The largest loss of viewpoints (GeometryFit::GetLoss) with which a geometry is used, unless it
+  /// tells all: then it is that of any geometry, MaximumUsefulLoss.
   static constexpr double MaximumLoss = 0.05;
 
   /// The largest error of colours (GeometryFit::GetColorError) with which they are the geometry's.

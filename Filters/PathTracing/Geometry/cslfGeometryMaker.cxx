@@ -11,6 +11,7 @@
 #include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfSeenPlaces.h"
+#include "cslfShapeGroups.h"
 #include "cslfTessellation.h"
 
 #include <glm/common.hpp>
@@ -150,12 +151,16 @@ constexpr double LitShare = 0.9;
 ///@}
 
 ///@{
-/// The progress of the surface when the viewpoints have looked, and that of each round.
-constexpr double LookShare = 0.2;
+/// The progress when the viewpoints have looked, and that of each round of the surface.
+constexpr double LookShare = 0.1;
 constexpr double TessellatedShare = 0.1;
 constexpr double SeenShare = 0.3;
 constexpr double SimplifiedShare = 0.6;
 ///@}
+
+/// How many times more triangles bodies of groups may have than other surfaces: their file has
+/// those of one.
+constexpr std::size_t GroupFactor = 5;
 
 /// The number of points at which the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
@@ -164,6 +169,16 @@ constexpr std::size_t MeasuredPoints = 20000;
 Progress InPart(const Progress& progress, int part, int parts)
 {
   return Within(progress, double(part) / parts, double(part + 1) / parts);
+}
+
+std::vector<const Mesh*> ListMeshes(const Scene& scene)
+{
+  std::vector<const Mesh*> meshes;
+  for (const Mesh& mesh : scene.GetMeshes())
+  {
+    meshes.push_back(&mesh);
+  }
+  return meshes;
 }
 
 /// Points that are evenly spread over a surface.
@@ -226,8 +241,7 @@ void Stretch(const glm::vec3& factors, std::vector<glm::vec3>& points)
 
 /// Removes triangles where that moves the surface by much less than a texel. Points of the scene's
 /// surface must then be at most `most` from it (root mean square), and nearly none lost; otherwise
-/// fewer triangles are removed, or none. Distances are measured after stretching: along axes on
-/// which the cube is shorter, texels are smaller.
+/// fewer triangles are removed, or none. Distances are measured after stretching.
 void SimplifyWell(SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points,
   double texel, double most, const Progress& progress)
 {
@@ -251,25 +265,39 @@ void SimplifyWell(SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3
 }
 
 /// Whether coarser tessellations have fewer triangles.
-bool CanBeCoarser(const std::vector<Mesh>& meshes)
+bool CanBeCoarser(const std::vector<const Mesh*>& meshes)
 {
   return std::any_of(meshes.begin(), meshes.end(),
-    [](const Mesh& mesh)
-    { return mesh.Shape != Mesh::Shapes::Triangles || !mesh.Instances.empty(); });
+    [](const Mesh* mesh)
+    { return mesh->Shape != Mesh::Shapes::Triangles || !mesh->Instances.empty(); });
 }
 
-/// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
-/// than a further reduction of fine ones.
-Geometry FindSurface(
-  const Scene& scene, const GeometrySettings& settings, double texel, const Progress& progress)
+/// The size of texels at the cube's centre, and how far surfaces may lie from it, in scene space.
+/// Distances are measured after stretching: along axes on which the cube is shorter, texels are
+/// smaller.
+struct Scale
 {
-  const std::vector<Mesh>& meshes = scene.GetMeshes();
-  const glm::dvec3& edges = settings.Box.Edges;
-  const glm::vec3 stretch(std::max({ edges.x, edges.y, edges.z }) / edges);
-  const float tolerance =
-    static_cast<float>(MaximumTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
-  const SeenPlaces seen = LookAround(scene, settings, texel, Within(progress, 0.0, LookShare));
-  const SeenPlaces nearlySeen = seen.Widen(WideCells);
+  explicit Scale(const GeometrySettings& settings)
+  {
+    const glm::dvec3& edges = settings.Box.Edges;
+    const double longest = std::max({ edges.x, edges.y, edges.z });
+    this->Texel = 0.5 * longest / (settings.Frame.Radius * settings.Grid.GetResolution());
+    this->Stretch = glm::vec3(longest / edges);
+    this->Tolerance = static_cast<float>(MaximumTexels * this->Texel) /
+      std::max({ this->Stretch.x, this->Stretch.y, this->Stretch.z });
+  }
+
+  double Texel;
+  glm::vec3 Stretch;
+  float Tolerance;
+};
+
+/// The surface of meshes that the viewpoints see, with few enough triangles. Coarser shapes may
+/// lose less than a further reduction of fine ones.
+Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& seen,
+  const SeenPlaces& nearlySeen, std::size_t most, const Scale& scale, const Progress& progress)
+{
+  const double texel = scale.Texel;
   int coarseness = 0;
   while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MaximumTessellated)
   {
@@ -281,13 +309,12 @@ Geometry FindSurface(
   std::size_t previous = std::numeric_limits<std::size_t>::max();
   const bool hasCoarser = CanBeCoarser(meshes);
   const int rounds = hasCoarser ? Coarsest + 1 - coarseness : 1;
-  const Progress rest = Within(progress, LookShare, 1.0);
   bool isBetter = true;
   for (int round = 0; isBetter && round < rounds; ++round, ++coarseness)
   {
-    const Progress step = InPart(rest, round, rounds);
-    SurfaceMesh surface = Tessellate(
-      meshes, { tolerance, coarseness, MaximumTessellated }, Within(step, 0.0, TessellatedShare));
+    const Progress step = InPart(progress, round, rounds);
+    SurfaceMesh surface = Tessellate(meshes, { scale.Tolerance, coarseness, MaximumTessellated },
+      Within(step, 0.0, TessellatedShare));
     const std::size_t count = surface.Triangles.size();
     if (count >= std::exchange(previous, count))
     {
@@ -300,16 +327,16 @@ Geometry FindSurface(
       points = SpreadPoints(surface, MeasuredPoints);
       seen.KeepSeen(points);
     }
-    SimplifyWell(surface, stretch, points, texel, MaximumTexels * texel * (1 << 2 * coarseness),
-      Within(step, SeenShare, SimplifiedShare));
-    const bool isEnough = surface.Triangles.size() <= settings.MaximumTriangles;
+    SimplifyWell(surface, scale.Stretch, points, texel,
+      MaximumTexels * texel * (1 << 2 * coarseness), Within(step, SeenShare, SimplifiedShare));
+    const bool isEnough = surface.Triangles.size() <= most;
     if (!isEnough)
     {
       seen.KeepSeen(surface, Within(step, SimplifiedShare, SimplifiedShare));
       ChangeApart(surface, Within(step, SimplifiedShare, SimplifiedShare), Weld);
     }
-    const SurfaceError error = ReduceWell(
-      surface, settings.MaximumTriangles, points, texel, Within(step, SimplifiedShare, 1.0));
+    const SurfaceError error =
+      ReduceWell(surface, most, points, texel, Within(step, SimplifiedShare, 1.0));
     const double least = best.Error.GetMeanSquare(texel);
     isBetter = !isEnough && error.GetMeanSquare(texel) < MinimumGain * least;
     if (error.GetMeanSquare(texel) < least)
@@ -321,6 +348,81 @@ Geometry FindSurface(
   }
   return best;
 }
+
+/// The bodies of groups, with the colours of their points.
+void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups,
+  const SurfaceLightSettings& settings, const StoredLight* light, const Progress& progress,
+  Geometry& geometry)
+{
+  SurfaceMesh bodies;
+  for (const InstanceGroup& group : groups)
+  {
+    Append(group, bodies);
+  }
+  SideColors colors = FitLight(scene, light, settings, progress, bodies);
+  const std::size_t first = geometry.Surface.Points.size();
+  const std::size_t all = first + bodies.Points.size();
+  for (const int side : { 0, 1 })
+  {
+    const auto join = [=](auto& values, const auto& more)
+    {
+      values.resize(first);
+      values.insert(values.end(), more.begin(), more.end());
+      values.resize(all);
+    };
+    join(geometry.Colors.Sides[side], colors.Sides[side]);
+    join(geometry.Colors.Exact[side], colors.Exact[side]);
+  }
+  for (const glm::uvec3& corners : bodies.Triangles)
+  {
+    geometry.Surface.Triangles.push_back(static_cast<std::uint32_t>(first) + corners);
+  }
+  geometry.Surface.Points.insert(
+    geometry.Surface.Points.end(), bodies.Points.begin(), bodies.Points.end());
+}
+
+/// Lets the backs of closed bodies be like their fronts: nobody sees them.
+void DropBacks(Geometry& geometry)
+{
+  std::vector<char> areClosed;
+  for (const InstanceGroup& group : geometry.Groups)
+  {
+    const std::size_t count = group.Prototype.Points.size() * group.Placements.size();
+    areClosed.insert(areClosed.end(), count, group.IsClosed ? 1 : 0);
+  }
+  const std::size_t first = geometry.Surface.Points.size() - areClosed.size();
+  areClosed.insert(areClosed.begin(), first, 0);
+  std::vector<glm::vec4>& backs = geometry.Colors.Sides[1];
+  for (std::size_t point = first; point < areClosed.size(); ++point)
+  {
+    if (areClosed[point] != 0 && !backs.empty())
+    {
+      backs[point] = glm::vec4(0.0f);
+      geometry.Colors.Exact[1][point] = geometry.Colors.Exact[0][point];
+    }
+  }
+  SurfaceSide kept;
+  for (std::size_t i = 0; i < geometry.Sides[1].Points.size(); ++i)
+  {
+    if (areClosed[geometry.Sides[1].Points[i]] == 0)
+    {
+      kept.Points.push_back(geometry.Sides[1].Points[i]);
+      kept.Rays.push_back(geometry.Sides[1].Rays[i]);
+    }
+  }
+  geometry.Sides[1] = std::move(kept);
+}
+
+/// How far what is seen of the scene lies from the geometry.
+SurfaceError MeasureAll(const Scene& scene, const SeenPlaces& seen, const Scale& scale,
+  const SurfaceMesh& surface, const Progress& progress)
+{
+  const SurfaceMesh whole = Tessellate(
+    ListMeshes(scene), { scale.Tolerance, 0, MaximumTessellated }, Within(progress, 0.0, 0.5));
+  std::vector<glm::vec3> points = SpreadPoints(whole, MeasuredPoints);
+  seen.KeepSeen(points);
+  return MeasureError(points, surface, scale.Texel, Within(progress, 0.5, 1.0));
+}
 }
 
 std::string FindGeometryError(const Scene& scene)
@@ -330,7 +432,7 @@ std::string FindGeometryError(const Scene& scene)
   {
     return "all surfaces are translucent, or visible from one side only";
   }
-  return CountTriangles(scene.GetMeshes(), Coarsest) > MaximumTessellated
+  return CountTriangles(ListMeshes(scene), Coarsest) > MaximumTessellated
     ? "there are too many shapes"
     : "";
 }
@@ -359,10 +461,19 @@ std::optional<Geometry> MakeGeometry(
   const Scene& scene, const GeometrySettings& settings, const Progress& progress)
 try
 {
-  const glm::dvec3& edges = settings.Box.Edges;
-  const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
-    (settings.Frame.Radius * settings.Grid.GetResolution());
-  Geometry geometry = FindSurface(scene, settings, texel, Within(progress, 0.0, SurfaceShare));
+  const Scale scale(settings);
+  const double texel = scale.Texel;
+  const SeenPlaces seen = LookAround(scene, settings, texel, Within(progress, 0.0, LookShare));
+  const SeenPlaces nearlySeen = seen.Widen(WideCells);
+  const Progress none = Within(progress, LookShare, LookShare);
+  ShapeGroups groups = FindShapeGroups(scene, nearlySeen,
+    { static_cast<float>(texel), scale.Tolerance, GroupFactor * settings.MaximumTriangles }, none);
+  Geometry geometry;
+  if (!groups.Others.empty())
+  {
+    geometry = FindSurface(groups.Others, seen, nearlySeen, settings.MaximumTriangles, scale,
+      Within(progress, LookShare, SurfaceShare));
+  }
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();
   for (glm::vec3& point : geometry.Surface.Points)
@@ -376,12 +487,27 @@ try
       Weld(changed);
       SortForDrawing(changed);
     });
-  geometry.Colors = FitLight(scene, settings.Light,
-    { static_cast<float>(texel), settings.Exposure, settings.ClampsColors, !geometry.IsReduced,
-      settings.Tolerance, settings.MaximumTriangles },
-    Within(progress, SortedShare, LitShare), geometry.Surface);
+  SurfaceLightSettings lighting;
+  lighting.Texel = static_cast<float>(texel);
+  lighting.Exposure = settings.Exposure;
+  lighting.ClampsColors = settings.ClampsColors;
+  lighting.HasCreases = !geometry.IsReduced;
+  lighting.Tolerance = settings.Tolerance;
+  lighting.MaximumTriangles = settings.MaximumTriangles;
+  geometry.Colors = FitLight(
+    scene, settings.Light, lighting, Within(progress, SortedShare, LitShare), geometry.Surface);
+  if (!groups.Groups.empty())
+  {
+    lighting.KeepsMesh = true;
+    AddGroups(scene, groups.Groups, lighting, settings.Light, Within(progress, LitShare, LitShare),
+      geometry);
+    geometry.Groups = std::move(groups.Groups);
+    geometry.Error =
+      MeasureAll(scene, seen, scale, geometry.Surface, Within(progress, LitShare, LitShare));
+  }
   FindSides(scene, static_cast<float>(texel), geometry.Surface, Within(progress, LitShare, 1.0),
     geometry.Colors, geometry.Sides);
+  DropBacks(geometry);
   return geometry;
 }
 catch (const Aborted&)

@@ -43,6 +43,9 @@ struct Geometry
 {
   SurfaceMesh Surface; ///< in scene space
 
+  /// Bodies that are one mesh at many places. They come last in the surface, in their order.
+  std::vector<InstanceGroup> Groups;
+
   /// Of the scene's visible surface, in scene space. What is more than a texel away is lost.
   SurfaceError Error;
 

@@ -25,6 +25,10 @@ constexpr int Directions = 64;
 /// How far in front of a point rays start, in texels, and how far they may go, in multiples of
 /// that: simplified surfaces lie elsewhere.
 constexpr float StartTexels = 0.5f;
+
+/// Those at bodies that are as exact as the scene's start at this share of that: others may be
+/// near.
+constexpr float NearShare = 0.125f;
 constexpr float MaximumReach = 4.0f;
 
 /// The samples of a triangle: one for each so many square texels, within limits.
@@ -86,13 +90,18 @@ Aim AimAt(const Scene& scene, const Ray& ray, float reach)
   return aim;
 }
 
-/// Aims at the front and the back of a point.
-std::array<Aim, 2> AimAtSides(
-  const Scene& scene, const glm::vec3& point, const glm::vec3& normal, float distance)
+/// Aims at the front and the back of a point, from a distance, or from further away if nothing is
+/// met: twice as far, and so on.
+std::array<Aim, 2> AimAtSides(const Scene& scene, const glm::vec3& point, const glm::vec3& normal,
+  float distance, float furthest)
 {
   std::array<Aim, 2> aims{ AimAt(scene, { point + distance * normal, -normal },
                              MaximumReach * distance),
     AimAt(scene, { point - distance * normal, normal }, MaximumReach * distance) };
+  if (distance < furthest && aims[0].What != Met::Front && aims[1].What != Met::Back)
+  {
+    return AimAtSides(scene, point, normal, 2.0f * distance, furthest);
+  }
   // Otherwise the corners of the scene's polygons are in no consistent order.
   const bool isOrdered = aims[0].What == Met::Front || aims[1].What == Met::Back;
   for (const int side : { 0, 1 })
@@ -176,7 +185,8 @@ LightSampler::Light LightSampler::FindColor(
   else if (!this->Stored || !this->Stored->LookUpShape(aim.Path, aim.Target, radiance))
   {
     // Rough surfaces look different from elsewhere, even if their light is stored.
-    return Light::Unknown;
+    return this->Stored && this->Stored->IsComplete() && mesh.IsDiffuse() ? Light::Missing
+                                                                          : Light::Unknown;
   }
   color = this->Encode(radiance);
   const glm::dvec3 exposed = static_cast<double>(this->Settings.Exposure) * glm::dvec3(radiance);
@@ -230,8 +240,9 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
       v = 1.0f - v;
     }
     const glm::vec3 place(1.0f - u - v, u, v);
+    const float furthest = StartTexels * this->Settings.Texel;
     const auto aims = AimAtSides(this->World, place.x * a + place.y * b + place.z * c,
-      samples.Normal, StartTexels * this->Settings.Texel);
+      samples.Normal, this->Settings.KeepsMesh ? NearShare * furthest : furthest, furthest);
     for (const int side : { 0, 1 })
     {
       const Aim& aim = aims[side];
@@ -283,7 +294,7 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   const LightSampler sampler(scene, light, settings);
   ColorFit fit(mesh,
     { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
-      settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
+      settings.KeepsMesh, settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
       settings.MaximumTriangles });
   const auto sample = [&](const Progress& part)
   {
@@ -319,7 +330,8 @@ void FindSides(const Scene& scene, float texel, const SurfaceMesh& mesh, const P
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const auto aims = AimAtSides(scene, mesh.Points[i], normals[i], StartTexels * texel);
+        const float distance = StartTexels * texel;
+        const auto aims = AimAtSides(scene, mesh.Points[i], normals[i], distance, distance);
         for (const int side : { 0, 1 })
         {
           rays[i][side] = aims[side].Path;

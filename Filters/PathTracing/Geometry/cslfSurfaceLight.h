@@ -40,6 +40,7 @@ struct SurfaceLightSettings
   double Exposure = 1.0;    ///< the colours are those of radiance times this
   bool ClampsColors = true; ///< whether colours end at white
   bool HasCreases = true;   ///< whether the mesh is so fine that its creases are the scene's
+  bool KeepsMesh = false;   ///< whether its triangles and points stay as they are
   double Tolerance = 0.0;   ///< the RMS error of a triangle's colours that is small enough
   std::size_t MaximumTriangles = 0;
 };

@@ -181,6 +181,13 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& pro
   return result;
 }
 
+/// How far spheres and tubes may be from their triangles.
+float GetRoundTolerance(const TessellationSettings& settings)
+{
+  return settings.Tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
+}
+}
+
 float FindLargestScale(const Mesh& mesh)
 {
   float scale = 0.0f;
@@ -194,41 +201,21 @@ float FindLargestScale(const Mesh& mesh)
   return scale;
 }
 
-void Append(const SurfaceMesh& part, const MeshInstance& instance, SurfaceMesh& result)
+InstanceGroup TessellateInstances(
+  const Mesh& mesh, const TessellationSettings& settings, const Progress& progress)
 {
-  const auto first = static_cast<std::uint32_t>(result.Points.size());
-  const bool isMirrored = glm::determinant(instance.Linear) < 0.0f;
-  for (const glm::vec3& point : part.Points)
-  {
-    result.Points.push_back(instance.Linear * point + instance.Offset);
-  }
-  for (const glm::uvec3& corners : part.Triangles)
-  {
-    const glm::uvec3 moved = first + corners;
-    result.Triangles.push_back(isMirrored ? glm::uvec3(moved.x, moved.z, moved.y) : moved);
-  }
-}
-
-/// Adds a mesh and its instances.
-void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress& progress,
-  SurfaceMesh& result)
-{
-  const float tolerance = settings.Tolerance;
-  const float roundTolerance = tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
-  if (mesh.Instances.empty())
-  {
-    Append(TessellateOne(mesh, roundTolerance, progress), MeshInstance(), result);
-    return;
-  }
+  InstanceGroup group;
   const float scale = FindLargestScale(mesh);
   if (!(scale > 0.0f))
   {
-    return;
+    return group;
   }
-  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale, progress);
+  const float tolerance = settings.Tolerance;
+  SurfaceMesh& part = group.Prototype;
+  part = TessellateOne(mesh, GetRoundTolerance(settings) / scale, progress);
   if (part.Triangles.empty())
   {
-    return;
+    return group;
   }
   const std::size_t most = settings.MaximumTriangles / mesh.Instances.size();
   ChangeApart(part, Within(progress, 1.0, 1.0),
@@ -244,10 +231,10 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress&
   {
     if (IsOpaque(instance))
     {
-      Append(part, instance, result);
+      group.Placements.push_back({ instance.Linear, instance.Offset });
     }
   }
-}
+  return group;
 }
 
 bool IsOpaque(const Mesh& mesh, std::uint32_t shape)
@@ -270,29 +257,38 @@ bool IsOpaque(const MeshInstance& instance)
   return instance.Opacity >= 1.0f;
 }
 
-std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
+std::size_t CountTriangles(const std::vector<const Mesh*>& meshes, int coarseness)
 {
   std::size_t count = 0;
-  for (const Mesh& mesh : meshes)
+  for (const Mesh* mesh : meshes)
   {
-    const bool isRound = mesh.Shape != Mesh::Shapes::Triangles;
-    const std::size_t shapes = mesh.GetNumberOfShapes() * (isRound ? MinimumOfRound : 1);
-    count += mesh.Instances.empty() ? shapes
-                                    : mesh.Instances.size() *
+    const bool isRound = mesh->Shape != Mesh::Shapes::Triangles;
+    const std::size_t shapes = mesh->GetNumberOfShapes() * (isRound ? MinimumOfRound : 1);
+    count += mesh->Instances.empty() ? shapes
+                                     : mesh->Instances.size() *
         std::max(std::min(shapes, shapes >> coarseness), MinimumPartTriangles);
   }
   return count;
 }
 
-SurfaceMesh Tessellate(
-  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress)
+SurfaceMesh Tessellate(const std::vector<const Mesh*>& meshes, const TessellationSettings& settings,
+  const Progress& progress)
 {
   SurfaceMesh result;
   const auto all = static_cast<double>(meshes.size());
-  for (const Mesh& mesh : meshes)
+  for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    const auto number = static_cast<double>(&mesh - meshes.data());
-    Add(mesh, settings, Within(progress, number / all, (number + 1.0) / all), result);
+    const Progress step =
+      Within(progress, static_cast<double>(i) / all, (static_cast<double>(i) + 1.0) / all);
+    if (!meshes[i]->Instances.empty())
+    {
+      Append(TessellateInstances(*meshes[i], settings, step), result);
+      continue;
+    }
+    InstanceGroup one;
+    one.Prototype = TessellateOne(*meshes[i], GetRoundTolerance(settings), step);
+    one.Placements.emplace_back();
+    Append(one, result);
   }
   ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;

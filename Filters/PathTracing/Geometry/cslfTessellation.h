@@ -32,16 +32,24 @@ struct TessellationSettings
 };
 
 /// About how many triangles a tessellation of that coarseness has at least.
-VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness);
+VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<const Mesh*>& meshes, int coarseness);
 
 /// Whether no ray passes a shape, or an instance, without meeting it, from either side. Surfaces
 /// whose texture has holes anywhere count as open.
 bool IsOpaque(const Mesh& mesh, std::uint32_t shape);
 bool IsOpaque(const MeshInstance& instance);
 
+/// By how much an instance of the mesh is larger than it, at most.
+float FindLargestScale(const Mesh& mesh);
+
+/// Triangles of the opaque shapes of a mesh that has instances, welded and simplified, and the
+/// opaque instances. Throws Aborted.
+InstanceGroup TessellateInstances(
+  const Mesh& mesh, const TessellationSettings& settings, const Progress& progress);
+
 /// Triangles of the opaque shapes of all opaque instances and other meshes, welded. Throws Aborted.
-VTKCSLF_EXPORT SurfaceMesh Tessellate(
-  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress);
+VTKCSLF_EXPORT SurfaceMesh Tessellate(const std::vector<const Mesh*>& meshes,
+  const TessellationSettings& settings, const Progress& progress);
 }
 
 #endif

@@ -1,0 +1,484 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfShapeGroups.h"
+
+#include "Geometry/cslfGeometryData.h"
+#include "PathTracing/Shapes/cslfTube.h"
+#include "Pipeline/cslfTriangleList.h"
+#include "cslfTessellation.h"
+
+#include <vtkCleanPolyData.h>
+#include <vtkFeatureEdges.h>
+#include <vtkLinearSubdivisionFilter.h>
+#include <vtkNew.h>
+#include <vtkPlatonicSolidSource.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// Fewer bodies are no group.
+constexpr std::size_t MinimumBodies = 32;
+
+/// The largest radius of a ball or stick, and of an instance, in texels: the light of larger ones
+/// needs more points.
+constexpr float MaximumRadiusTexels = 6.0f;
+constexpr float MaximumInstanceTexels = 16.0f;
+
+/// How far outlines of balls and sticks may be off, in texels.
+constexpr float OutlineTexels = 0.1f;
+
+/// How often the triangles of an icosahedron are divided into four at most.
+constexpr int MaximumDivisions = 3;
+
+/// The sides of a stick.
+constexpr int MinimumStickSides = 6;
+constexpr int MaximumStickSides = 24;
+
+/// Instances of triangles may be made as coarse as this.
+constexpr int CoarsestInstance = 3;
+
+/// The angle of a crease, in degrees: see ColorFit.
+constexpr double CreaseAngle = 40.0;
+
+/// How far points of one corner may be apart, as a share of the prototype's size.
+constexpr double Rounding = 1e-5;
+
+SurfaceMesh ToMesh(vtkPolyData* data)
+{
+  SurfaceMesh mesh;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    mesh.Points.emplace_back(point[0], point[1], point[2]);
+  }
+  const std::vector<unsigned int> corners = ListCorners(data);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    mesh.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+  }
+  return mesh;
+}
+
+float GetArea(const SurfaceMesh& mesh)
+{
+  float sum = 0.0f;
+  for (const glm::uvec3& corners : mesh.Triangles)
+  {
+    const glm::vec3& first = mesh.Points[corners.x];
+    sum += 0.5f *
+      glm::length(glm::cross(mesh.Points[corners.y] - first, mesh.Points[corners.z] - first));
+  }
+  return sum;
+}
+
+/// An icosahedron whose triangles are divided, around the unit sphere: a convex body has a mean
+/// outline of a quarter of its area (Cauchy), so this one has the sphere's.
+SurfaceMesh MakeBall(int divisions)
+{
+  vtkNew<vtkPlatonicSolidSource> solid;
+  solid->SetSolidTypeToIcosahedron();
+  vtkNew<vtkLinearSubdivisionFilter> divider;
+  divider->SetInputConnection(solid->GetOutputPort());
+  divider->SetNumberOfSubdivisions(divisions);
+  solid->Update();
+  divider->Update();
+  SurfaceMesh ball = ToMesh(divisions > 0 ? divider->GetOutput() : solid->GetOutput());
+  for (glm::vec3& point : ball.Points)
+  {
+    point = glm::normalize(point);
+  }
+  const float growth = std::sqrt(4.0f * glm::pi<float>() / GetArea(ball));
+  for (glm::vec3& point : ball.Points)
+  {
+    point *= growth;
+  }
+  const glm::uvec3& corners = ball.Triangles.front();
+  const glm::vec3& first = ball.Points[corners.x];
+  if (glm::dot(first, glm::cross(ball.Points[corners.y] - first, ball.Points[corners.z] - first)) <
+    0.0f)
+  {
+    for (glm::uvec3& triangle : ball.Triangles)
+    {
+      std::swap(triangle.y, triangle.z);
+    }
+  }
+  return ball;
+}
+
+/// How far a regular polygon with the area of the unit circle reaches beyond it.
+float GetExcess(int sides)
+{
+  const float angle = glm::two_pi<float>() / static_cast<float>(sides);
+  return std::sqrt(angle / std::sin(angle)) - 1.0f;
+}
+
+/// A cylinder without ends around Z, from 0 to 1, whose outline is that of the radius 1.
+SurfaceMesh MakeStick(int sides)
+{
+  SurfaceMesh stick;
+  const float radius = 1.0f + GetExcess(sides);
+  for (int side = 0; side < sides; ++side)
+  {
+    const float angle = glm::two_pi<float>() * static_cast<float>(side) / static_cast<float>(sides);
+    for (const float height : { 0.0f, 1.0f })
+    {
+      stick.Points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+    const auto a = static_cast<std::uint32_t>(2 * side);
+    const auto b = static_cast<std::uint32_t>(2 * ((side + 1) % sides));
+    stick.Triangles.emplace_back(a, b, b + 1);
+    stick.Triangles.emplace_back(a, b + 1, a + 1);
+  }
+  return stick;
+}
+
+/// Whether each edge belongs to two triangles, so that the back is inside.
+bool IsClosed(const SurfaceMesh& mesh)
+{
+  // Points of a corner may differ by rounding.
+  vtkNew<vtkCleanPolyData> joiner;
+  joiner->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
+  joiner->SetTolerance(Rounding);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(joiner->GetOutputPort());
+  edges->FeatureEdgesOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells() == 0;
+}
+
+/// Gives points at creases one copy for each side of them, so that each can have a colour.
+SurfaceMesh SplitCreases(const SurfaceMesh& mesh)
+{
+  vtkNew<vtkPolyDataNormals> splitter;
+  splitter->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
+  splitter->ConsistencyOff();
+  splitter->SetFeatureAngle(CreaseAngle);
+  splitter->Update();
+  return ToMesh(splitter->GetOutput());
+}
+
+struct Ball
+{
+  glm::vec3 Center;
+  float Radius;
+};
+
+/// The balls and sticks of a scene, by how fine they are.
+class ShapeSorter
+{
+public:
+  ShapeSorter(const Scene& scene, const SeenPlaces& seen, const ShapeGroupSettings& settings)
+    : World(scene)
+    , Seen(seen)
+    , Settings(settings)
+  {
+    for (int divisions = 0; divisions <= MaximumDivisions; ++divisions)
+    {
+      this->Balls[divisions].Prototype = MakeBall(divisions);
+      this->Excess[divisions] = glm::length(this->Balls[divisions].Prototype.Points.front()) - 1.0f;
+    }
+    for (int sides = MinimumStickSides; sides <= MaximumStickSides; sides += SideStep)
+    {
+      this->Sticks.emplace_back().Prototype = MakeStick(sides);
+    }
+  }
+
+  void AddSpheres(const Mesh& mesh)
+  {
+    for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+    {
+      this->AddBall({ mesh.Vertices[shape], mesh.Radii[shape] });
+    }
+  }
+
+  void AddTubes(const Mesh& mesh)
+  {
+    for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+    {
+      const std::size_t first = 2 * std::size_t(shape);
+      this->AddStick(Tube(
+        mesh.Vertices[first], mesh.Vertices[first + 1], mesh.Radii[first], mesh.Radii[first + 1]));
+    }
+  }
+
+  /// The groups that have bodies.
+  std::vector<InstanceGroup> Take()
+  {
+    std::vector<InstanceGroup> groups;
+    const auto take = [&groups](InstanceGroup& group)
+    {
+      if (!group.Placements.empty())
+      {
+        group.IsClosed = true;
+        groups.push_back(std::move(group));
+      }
+    };
+    std::for_each(this->Balls.begin(), this->Balls.end(), take);
+    std::for_each(this->Sticks.begin(), this->Sticks.end(), take);
+    return groups;
+  }
+
+  /// Adds a body if any of it is seen.
+  void Add(const InstanceGroup::Placement& placement, InstanceGroup& group) const
+  {
+    std::vector<glm::vec3> points;
+    for (const glm::vec3& point : group.Prototype.Points)
+    {
+      points.push_back(placement.Linear * point + placement.Offset);
+    }
+    this->Seen.KeepSeen(points);
+    if (!points.empty())
+    {
+      group.Placements.push_back(placement);
+    }
+  }
+
+private:
+  static constexpr int SideStep = 2;
+
+  /// How far rays start from surfaces, in radii, and the most surfaces that they pass.
+  static constexpr float Gap = 1e-3f;
+  static constexpr int MaximumSteps = 16;
+
+  void AddBall(const Ball& ball)
+  {
+    int divisions = 0;
+    while (divisions<MaximumDivisions&& this->Excess[divisions] * ball.Radius> OutlineTexels *
+      this->Settings.Texel)
+    {
+      ++divisions;
+    }
+    this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[divisions]);
+  }
+
+  void AddStick(const Tube& tube)
+  {
+    if (tube.IsSphere())
+    {
+      this->AddBall({ tube.Start, tube.Radius });
+      return;
+    }
+    int sides = MinimumStickSides;
+    while (sides < MaximumStickSides &&
+      GetExcess(sides) * tube.Radius > OutlineTexels * this->Settings.Texel)
+    {
+      sides += SideStep;
+    }
+    const glm::vec3 other =
+      std::abs(tube.Axis.x) < 0.5f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
+    const glm::vec3 across = glm::normalize(glm::cross(tube.Axis, other));
+    const glm::vec3 up = glm::cross(tube.Axis, across);
+    this->Add(
+      { glm::mat3(tube.Radius * across, tube.Radius * up, tube.Length * tube.Axis), tube.Start },
+      this->Sticks[(sides - MinimumStickSides) / SideStep]);
+    for (const float end : { 0.0f, 1.0f })
+    {
+      const glm::vec3 out = (2.0f * end - 1.0f) * tube.Axis;
+      if (!this->IsWithinOthers(tube.GetCenter(end), tube.Radius, out, across, up))
+      {
+        this->AddBall({ tube.GetCenter(end), tube.Radius });
+      }
+    }
+  }
+
+  /// Whether most of some points of a round end lie in other bodies.
+  bool IsWithinOthers(const glm::vec3& center, float radius, const glm::vec3& out,
+    const glm::vec3& across, const glm::vec3& up) const
+  {
+    const glm::vec3 directions[] = { out, out + across, out - across, out + up, out - up };
+    const auto within = std::count_if(std::begin(directions), std::end(directions),
+      [&](const glm::vec3& direction)
+      {
+        const glm::vec3 normal = glm::normalize(direction);
+        return this->IsWithinShape(
+          { center + (1.0f + Gap) * radius * normal, normal }, Gap * radius);
+      });
+    return 2 * static_cast<std::size_t>(within) > std::size(directions);
+  }
+
+  /// Whether a ray begins in a sphere or tube: it leaves one that it did not enter.
+  bool IsWithinShape(Ray ray, float gap) const
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> entered;
+    for (int step = 0; step < MaximumSteps; ++step)
+    {
+      const Hit hit = this->World.Intersect(ray);
+      if (!hit.IsValid())
+      {
+        return false;
+      }
+      const std::pair<std::uint32_t, std::uint32_t> body(hit.Mesh, hit.GetPlace().Triangle);
+      if (!this->World.GetSurface(ray, hit).Inside)
+      {
+        entered.push_back(body);
+      }
+      else if (this->World.GetMeshes()[hit.Mesh].Shape != Mesh::Shapes::Triangles &&
+        std::find(entered.begin(), entered.end(), body) == entered.end())
+      {
+        return true;
+      }
+      ray.Origin += (hit.Distance + gap) * ray.Direction;
+    }
+    return false;
+  }
+
+  const Scene& World;
+  const SeenPlaces& Seen;
+  ShapeGroupSettings Settings;
+  std::array<InstanceGroup, MaximumDivisions + 1> Balls;
+  std::array<float, MaximumDivisions + 1> Excess{};
+  std::vector<InstanceGroup> Sticks;
+};
+
+float FindRadius(const std::vector<glm::vec3>& points)
+{
+  glm::vec3 low(points.front());
+  glm::vec3 high(points.front());
+  for (const glm::vec3& point : points)
+  {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  return 0.5f * glm::distance(low, high);
+}
+
+/// Whether all shapes are small and opaque.
+bool IsOfSmallShapes(const Mesh& mesh, float maximum)
+{
+  const bool areTubes = mesh.Shape == Mesh::Shapes::Tubes;
+  if (mesh.GetNumberOfShapes() < MinimumBodies || mesh.Shape == Mesh::Shapes::Triangles ||
+    (areTubes &&
+      std::any_of(
+        mesh.Joints.begin(), mesh.Joints.end(), [](std::uint32_t joint) { return joint != 0; })))
+  {
+    return false;
+  }
+  for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+  {
+    const std::size_t first = (areTubes ? 2 : 1) * std::size_t(shape);
+    if (!IsOpaque(mesh, shape) || !(mesh.Radii[first] <= maximum) ||
+      (areTubes &&
+        (mesh.Radii[first] != mesh.Radii[first + 1] ||
+          glm::distance(mesh.Vertices[first], mesh.Vertices[first + 1]) > 2.0f * maximum)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all instances are small and opaque.
+bool IsOfSmallInstances(const Mesh& mesh, float maximum)
+{
+  if (mesh.Instances.size() < MinimumBodies || mesh.Vertices.empty())
+  {
+    return false;
+  }
+  float radius = FindRadius(mesh.Vertices);
+  if (!mesh.Radii.empty())
+  {
+    radius += *std::max_element(mesh.Radii.begin(), mesh.Radii.end());
+  }
+  for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+  {
+    if (!IsOpaque(mesh, shape))
+    {
+      return false;
+    }
+  }
+  return FindLargestScale(mesh) * radius <= maximum &&
+    std::all_of(mesh.Instances.begin(), mesh.Instances.end(),
+      [](const MeshInstance& instance) { return IsOpaque(instance); });
+}
+
+std::size_t CountTriangles(const std::vector<InstanceGroup>& groups)
+{
+  std::size_t count = 0;
+  for (const InstanceGroup& group : groups)
+  {
+    count += group.Prototype.Triangles.size() * group.Placements.size();
+  }
+  return count;
+}
+}
+
+ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
+  const ShapeGroupSettings& settings, const Progress& progress)
+{
+  ShapeGroups result;
+  const float maximum = MaximumRadiusTexels * settings.Texel;
+  ShapeSorter sorter(scene, seen, settings);
+  std::vector<const Mesh*> instanced;
+  for (const Mesh& mesh : scene.GetMeshes())
+  {
+    OrAbort(progress)(0.0);
+    if (!mesh.Instances.empty())
+    {
+      (IsOfSmallInstances(mesh, MaximumInstanceTexels * settings.Texel) ? instanced : result.Others)
+        .push_back(&mesh);
+    }
+    else if (!IsOfSmallShapes(mesh, maximum))
+    {
+      result.Others.push_back(&mesh);
+    }
+    else if (mesh.Shape == Mesh::Shapes::Spheres)
+    {
+      sorter.AddSpheres(mesh);
+    }
+    else
+    {
+      sorter.AddTubes(mesh);
+    }
+  }
+  result.Groups = sorter.Take();
+  const std::vector<InstanceGroup> shapes = result.Groups;
+  for (int coarseness = 0; coarseness <= CoarsestInstance; ++coarseness)
+  {
+    result.Groups = shapes;
+    for (const Mesh* mesh : instanced)
+    {
+      InstanceGroup group = TessellateInstances(
+        *mesh, { settings.Tolerance, coarseness, settings.MaximumTriangles }, progress);
+      const bool isRound = mesh->Shape != Mesh::Shapes::Triangles;
+      InstanceGroup seenGroup{ isRound ? group.Prototype : SplitCreases(group.Prototype), {},
+        isRound || IsClosed(group.Prototype) };
+      for (const InstanceGroup::Placement& placement : group.Placements)
+      {
+        sorter.Add(placement, seenGroup);
+      }
+      if (!seenGroup.Placements.empty())
+      {
+        result.Groups.push_back(std::move(seenGroup));
+      }
+    }
+    result.Triangles = CountTriangles(result.Groups);
+    if (result.Triangles <= settings.MaximumTriangles || instanced.empty())
+    {
+      break;
+    }
+  }
+  if (result.Triangles > settings.MaximumTriangles)
+  {
+    result = {};
+    for (const Mesh& mesh : scene.GetMeshes())
+    {
+      result.Others.push_back(&mesh);
+    }
+  }
+  return result;
+}
+}
