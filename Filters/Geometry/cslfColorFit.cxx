@@ -451,20 +451,26 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
     return this->FindError(triangle, side) > most * this->Samples[triangle].Area ||
       this->HasDetail(triangle, ExactDetailTolerances);
   };
-  double all = 0.0;
   double known = 0.0;
+  double unknown = 0.0;
   double rest = 0.0;
   for (const int side : { 0, 1 })
   {
     for (std::size_t i = 0; i < this->Values.size(); ++i)
     {
       const double weight = this->Samples[i].Sides[side].Weight;
-      all += weight;
-      known += this->Samples[i].AreComplete[side] ? weight : 0.0;
-      rest += errs(i, side) ? weight : 0.0;
+      if (this->Samples[i].AreComplete[side])
+      {
+        known += weight;
+        rest += errs(i, side) ? weight : 0.0;
+      }
+      else
+      {
+        unknown += this->Samples[i].Area;
+      }
     }
   }
-  const bool areAllExact = all - known + rest <= MaximumRest * all;
+  const bool areAllExact = unknown + rest <= MaximumRest * (known + unknown);
   std::array<std::vector<char>, 2> areExact;
   for (const int side : { 0, 1 })
   {

@@ -32,7 +32,7 @@ struct InstanceGroup
 {
   struct Placement
   {
-    glm::mat3 Linear{ 1.0f }; ///< with the offset: from the prototype
+    glm::mat3 Linear{ 1.0f }; ///< with the offset: from the prototype to the mesh
     glm::vec3 Offset{ 0.0f };
   };
 

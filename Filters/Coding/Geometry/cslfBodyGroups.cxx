@@ -32,14 +32,22 @@ namespace
 constexpr double PointSteps = 32767.0;
 constexpr double VectorSteps = 32768.0;
 
-/// How far points may lie from where the arrays say, in edges of the cube.
-constexpr double MaximumDistance = 1e-5;
+/// How far points may lie from where the arrays say, in cube coordinates.
+constexpr double MaximumDistance = 1e-4;
+
+/// The limits of a prototype's extent, and the most points and triangles of all bodies.
+constexpr double MinimumExtent = 1e-30;
+constexpr double MaximumExtent = 1e30;
+constexpr double MaximumTotal = 1 << 25;
+
+/// The most multiplications that colours may take.
+constexpr std::size_t MaximumProducts = std::size_t(1) << 33;
 
 constexpr int Columns = 4;
 constexpr int PlacementNumbers = 3 * Columns;
 
-/// The step of multiples: of colours that end at 255, and of coarser ones. Multiples below this
-/// share of it are 0: most are, and each costs more bytes than it is worth.
+/// The step of multiples: of colours that end at 255, and of coarser ones. Multiples are rounded up
+/// only from this share of it: small ones cost more bytes than they are worth.
 constexpr int FineStep = 4;
 constexpr int CoarseStep = 1;
 constexpr double DeadShare = 0.7;
@@ -216,7 +224,7 @@ double BodyGroups::GetOffsetSteps() const
 // A step moves no point by more than one of offsets.
 double BodyGroups::GetLinearStep(const BodyGroup& group) const
 {
-  return 1.0 / ((1 << (this->PositionBits - 1)) * std::max(group.Extent, 1e-30));
+  return 1.0 / ((1 << (this->PositionBits - 1)) * group.Extent);
 }
 
 std::array<double, 12> BodyGroups::GetMatrix(const BodyGroup& group, std::size_t body) const
@@ -257,8 +265,10 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
   {
     double size[3];
     sizes->GetTuple(i, size);
-    if (!(std::min({ size[0], size[1], size[2] }) >= 1.0) ||
-      !(std::max(size[0], size[1]) * size[2] <= static_cast<double>(point + triangle)))
+    const auto left = static_cast<double>(point + triangle);
+    if (!std::all_of(std::begin(size), std::end(size),
+          [left](double number) { return number >= 1.0 && number <= left; }) ||
+      std::max(size[0], size[1]) * size[2] > left || left > MaximumTotal)
     {
       return {};
     }
@@ -297,6 +307,10 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
       group.Extent =
         std::max({ group.Extent, std::abs(place.x), std::abs(place.y), std::abs(place.z) });
     }
+    if (!(group.Extent >= MinimumExtent && group.Extent <= MaximumExtent))
+    {
+      return {};
+    }
     std::vector<std::array<double, 12>> matrices(size.Bodies);
     for (std::array<double, 12>& matrix : matrices)
     {
@@ -306,9 +320,10 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
       {
         double found[3];
         triangles->GetPoint(point, found);
-        const glm::dvec3 away =
-          Transform(matrix, places[i]) - glm::dvec3(found[0], found[1], found[2]);
-        if (!(glm::length(away / box.Edges) <= MaximumDistance))
+        const glm::dvec3 place = box.PointToCube(Transform(matrix, places[i]));
+        const glm::dvec3 away = glm::clamp(place, glm::dvec3(-1.0), glm::dvec3(1.0)) -
+          box.PointToCube({ found[0], found[1], found[2] });
+        if (!(glm::length(away) <= MaximumDistance))
         {
           return {};
         }
@@ -344,8 +359,8 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        group.Points.push_back(static_cast<std::int16_t>(
-          std::lround(group.Extent > 0.0 ? place[axis] / group.Extent * PointSteps : 0.0)));
+        group.Points.push_back(
+          static_cast<std::int16_t>(std::lround(place[axis] / group.Extent * PointSteps)));
       }
     }
     for (const std::array<double, 12>& matrix : matrices)
@@ -353,9 +368,17 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
       std::array<std::int16_t, 12>& numbers = group.Placements.emplace_back();
       for (int i = 0; i < PlacementNumbers; ++i)
       {
-        numbers[i] = static_cast<std::int16_t>(
-          std::lround(IsOffset(i) ? std::clamp(matrix[i], -1.0, 1.0) * result.GetOffsetSteps()
-                                  : matrix[i] / result.GetLinearStep(group)));
+        const double number = std::round(IsOffset(i) ? matrix[i] * result.GetOffsetSteps()
+                                                     : matrix[i] / result.GetLinearStep(group));
+        if (!(std::abs(number) <= PointSteps))
+        {
+          return {};
+        }
+        numbers[i] = static_cast<std::int16_t>(number);
+      }
+      if (IsMirrored(matrix) != IsMirrored(result.GetMatrix(group, group.GetBodies() - 1)))
+      {
+        return {};
       }
     }
     result.Groups.push_back(std::move(group));
@@ -458,7 +481,7 @@ BodyGroups BodyGroups::Read(
     const std::size_t flags = result.HasFlags ? 2 * points * bodies : 0;
     bytes += 4 * (3 * triangles + numbers) + 2 * (3 * points + vectors * numbers) +
       2 * bodies * (PlacementNumbers + vectors) + flags;
-    RequireBodies(bytes <= mostBytes);
+    RequireBodies(bytes <= mostBytes && vectors * numbers * bodies <= MaximumProducts);
     BodyGroup& group = result.Groups.emplace_back();
     group.Corners.resize(3 * triangles);
     group.Points.resize(3 * points);
@@ -468,7 +491,7 @@ BodyGroups BodyGroups::Read(
     group.Multiples.assign(vectors, std::vector<std::int16_t>(bodies));
     group.Flags.resize(flags);
     group.Extent = entry.at("extent").get<double>();
-    RequireBodies(std::isfinite(group.Extent) && group.Extent > 0.0);
+    RequireBodies(group.Extent >= MinimumExtent && group.Extent <= MaximumExtent);
   }
   return result;
 }

@@ -67,6 +67,7 @@ public:
     int positionBits, int maximum, PointCodes& codes);
 
   bool IsEmpty() const { return this->Groups.empty(); }
+  bool HasColors() const { return this->Sides > 0; }
   bool HasBackColors() const { return this->Sides == 2; }
   bool HasExactColors() const { return this->HasFlags; }
   std::size_t CountPoints() const;

@@ -34,6 +34,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -277,6 +278,12 @@ void Sort(Streams& streams)
 {
   if (streams.Corners.empty())
   {
+    streams.Points = 0;
+    for (std::vector<unsigned char>* stream :
+      { &streams.Positions, &streams.Colors, &streams.BackColors, &streams.Flags })
+    {
+      stream->clear();
+    }
     return;
   }
   std::vector<unsigned int> sorted(streams.Corners.size());
@@ -467,7 +474,7 @@ std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
   const std::string text = header.dump();
   std::vector<unsigned char> bytes(sizeof(std::uint32_t));
   Store(static_cast<std::uint32_t>(text.size()), bytes.data());
-  bytes.insert(bytes.end(), text.begin(), text.end());
+  std::copy(text.begin(), text.end(), std::back_inserter(bytes));
   const std::vector<unsigned char> compressed = Compress(all);
   bytes.insert(bytes.end(), compressed.begin(), compressed.end());
   return bytes;
@@ -632,6 +639,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const std::vector<unsigned char> coded =
     Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size + bodySize));
   streams.Bodies.Unpack(coded.data() + size);
+  Require(streams.Bodies.IsEmpty() || streams.Bodies.HasColors() == header.contains("colors"));
   streams.Corners.resize(3 * triangles);
   const unsigned char* place = coded.data();
   Require(points == 0 ||
@@ -659,7 +667,8 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
       (streams.AreHalves     ? HalfColors
           : streams.HasFlags ? ExactByteColors
                              : ByteColors));
-    Require(streams.Bodies.IsEmpty() || !streams.AreHalves);
+    Require(streams.Bodies.IsEmpty() ||
+      (!streams.AreHalves && streams.HasFlags == streams.Bodies.HasExactColors()));
     const std::set<std::string> subtracted =
       header.value("subtracted", std::set<std::string>{ Front });
     Require(std::all_of(subtracted.begin(), subtracted.end(),

@@ -161,6 +161,10 @@ constexpr double SimplifiedShare = 0.6;
 /// How many times more triangles bodies of groups may have than other surfaces: their file has
 /// those of one.
 constexpr std::size_t GroupFactor = 5;
+constexpr std::size_t MaximumBodyTriangles = std::size_t(1) << 20;
+
+/// How far bodies stay within the cube, as a share of its edges.
+constexpr double CubeMargin = 1e-5;
 
 /// The number of points at which the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
@@ -349,15 +353,19 @@ Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& s
   return best;
 }
 
-/// The bodies of groups, with the colours of their points.
-void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups,
-  const SurfaceLightSettings& settings, const StoredLight* light, const Progress& progress,
-  Geometry& geometry)
+/// The bodies of groups, within bounds, with the colours of their points.
+void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups, const glm::vec3& low,
+  const glm::vec3& high, const SurfaceLightSettings& settings, const StoredLight* light,
+  const Progress& progress, Geometry& geometry)
 {
   SurfaceMesh bodies;
   for (const InstanceGroup& group : groups)
   {
     Append(group, bodies);
+  }
+  for (glm::vec3& point : bodies.Points)
+  {
+    point = glm::clamp(point, low, high);
   }
   SideColors colors = FitLight(scene, light, settings, progress, bodies);
   const std::size_t first = geometry.Surface.Points.size();
@@ -466,8 +474,12 @@ try
   const SeenPlaces seen = LookAround(scene, settings, texel, Within(progress, 0.0, LookShare));
   const SeenPlaces nearlySeen = seen.Widen(WideCells);
   const Progress none = Within(progress, LookShare, LookShare);
-  ShapeGroups groups = FindShapeGroups(scene, nearlySeen,
-    { static_cast<float>(texel), scale.Tolerance, GroupFactor * settings.MaximumTriangles }, none);
+  // Colours of floats have no compact form for bodies.
+  const std::size_t most = settings.ClampsColors
+    ? std::min(GroupFactor * settings.MaximumTriangles, MaximumBodyTriangles)
+    : 0;
+  ShapeGroups groups =
+    FindShapeGroups(scene, nearlySeen, { static_cast<float>(texel), scale.Tolerance, most }, none);
   Geometry geometry;
   if (!groups.Others.empty())
   {
@@ -499,8 +511,12 @@ try
   if (!groups.Groups.empty())
   {
     lighting.KeepsMesh = true;
-    AddGroups(scene, groups.Groups, lighting, settings.Light, Within(progress, LitShare, LitShare),
-      geometry);
+    const glm::dvec3 half = (0.5 - CubeMargin) * settings.Box.Edges;
+    const auto toScene = [&](const glm::dvec3& point)
+    { return glm::vec3((point - settings.Frame.Center) / settings.Frame.Radius); };
+    AddGroups(scene, groups.Groups, toScene(settings.Box.Center - half),
+      toScene(settings.Box.Center + half), lighting, settings.Light,
+      Within(progress, LitShare, LitShare), geometry);
     geometry.Groups = std::move(groups.Groups);
     geometry.Error =
       MeasureAll(scene, seen, scale, geometry.Surface, Within(progress, LitShare, LitShare));

@@ -41,14 +41,22 @@ constexpr float MaximumInstanceTexels = 16.0f;
 constexpr float OutlineTexels = 0.1f;
 
 /// How often the triangles of an icosahedron are divided into four at most.
-constexpr int MaximumDivisions = 3;
+constexpr int MaximumDivisions = 2;
 
 /// The sides of a stick.
 constexpr int MinimumStickSides = 6;
 constexpr int MaximumStickSides = 24;
 
-/// Instances of triangles may be made as coarse as this.
-constexpr int CoarsestInstance = 3;
+/// How often outlines may be four times further off, and instances have half as many triangles, if
+/// there are too many.
+constexpr int CoarsestBodies = 3;
+
+/// The most points of a prototype. Files have at most 1024 numbers for the colours of a body, which
+/// suffice for both sides of these.
+constexpr std::size_t MaximumPrototypePoints = 170;
+
+/// The bodies between two looks whether to go on.
+constexpr std::size_t BodiesOfLook = 4096;
 
 /// The angle of a crease, in degrees: see ColorFit.
 constexpr double CreaseAngle = 40.0;
@@ -146,8 +154,9 @@ SurfaceMesh MakeStick(int sides)
   return stick;
 }
 
-/// Whether each edge belongs to two triangles, so that the back is inside.
-bool IsClosed(const SurfaceMesh& mesh)
+/// A prototype of instances of triangles. Points at creases have one copy for each side of them, so
+/// that each can have a colour. If it is closed, its front is outside.
+InstanceGroup MakePrototype(const SurfaceMesh& mesh)
 {
   // Points of a corner may differ by rounding.
   vtkNew<vtkCleanPolyData> joiner;
@@ -157,18 +166,16 @@ bool IsClosed(const SurfaceMesh& mesh)
   edges->SetInputConnection(joiner->GetOutputPort());
   edges->FeatureEdgesOff();
   edges->Update();
-  return edges->GetOutput()->GetNumberOfCells() == 0;
-}
-
-/// Gives points at creases one copy for each side of them, so that each can have a colour.
-SurfaceMesh SplitCreases(const SurfaceMesh& mesh)
-{
+  InstanceGroup group;
+  group.IsClosed = edges->GetOutput()->GetNumberOfCells() == 0;
   vtkNew<vtkPolyDataNormals> splitter;
-  splitter->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
-  splitter->ConsistencyOff();
+  splitter->SetInputConnection(joiner->GetOutputPort());
+  splitter->SetConsistency(group.IsClosed);
+  splitter->SetAutoOrientNormals(group.IsClosed);
   splitter->SetFeatureAngle(CreaseAngle);
   splitter->Update();
-  return ToMesh(splitter->GetOutput());
+  group.Prototype = ToMesh(splitter->GetOutput());
+  return group;
 }
 
 struct Ball
@@ -181,19 +188,24 @@ struct Ball
 class ShapeSorter
 {
 public:
-  ShapeSorter(const Scene& scene, const SeenPlaces& seen, const ShapeGroupSettings& settings)
+  /// Outlines may be off by that in scene space.
+  ShapeSorter(
+    const Scene& scene, const SeenPlaces& seen, float maximumExcess, const Progress& progress)
     : World(scene)
     , Seen(seen)
-    , Settings(settings)
+    , MaximumExcess(maximumExcess)
+    , GoOn(progress)
   {
     for (int divisions = 0; divisions <= MaximumDivisions; ++divisions)
     {
       this->Balls[divisions].Prototype = MakeBall(divisions);
+      this->Balls[divisions].IsClosed = true;
       this->Excess[divisions] = glm::length(this->Balls[divisions].Prototype.Points.front()) - 1.0f;
     }
     for (int sides = MinimumStickSides; sides <= MaximumStickSides; sides += SideStep)
     {
       this->Sticks.emplace_back().Prototype = MakeStick(sides);
+      this->Sticks.back().IsClosed = true;
     }
   }
 
@@ -215,6 +227,35 @@ public:
     }
   }
 
+  /// False if the prototype has too many points.
+  bool AddInstances(const Mesh& mesh, const InstanceGroup& all)
+  {
+    if (all.Prototype.Triangles.empty())
+    {
+      return true;
+    }
+    InstanceGroup group;
+    if (mesh.Shape == Mesh::Shapes::Triangles)
+    {
+      group = MakePrototype(all.Prototype);
+    }
+    else
+    {
+      group.Prototype = all.Prototype;
+      group.IsClosed = true;
+    }
+    if (group.Prototype.Points.size() > MaximumPrototypePoints)
+    {
+      return false;
+    }
+    for (const InstanceGroup::Placement& placement : all.Placements)
+    {
+      this->Add(placement, group);
+    }
+    this->Instances.push_back(std::move(group));
+    return true;
+  }
+
   /// The groups that have bodies.
   std::vector<InstanceGroup> Take()
   {
@@ -223,18 +264,29 @@ public:
     {
       if (!group.Placements.empty())
       {
-        group.IsClosed = true;
         groups.push_back(std::move(group));
       }
     };
     std::for_each(this->Balls.begin(), this->Balls.end(), take);
     std::for_each(this->Sticks.begin(), this->Sticks.end(), take);
+    std::for_each(this->Instances.begin(), this->Instances.end(), take);
     return groups;
   }
 
+private:
+  static constexpr int SideStep = 2;
+
+  /// How far rays start from surfaces, in radii, and the most surfaces that they pass.
+  static constexpr float Gap = 1e-3f;
+  static constexpr int MaximumSteps = 16;
+
   /// Adds a body if any of it is seen.
-  void Add(const InstanceGroup::Placement& placement, InstanceGroup& group) const
+  void Add(const InstanceGroup::Placement& placement, InstanceGroup& group)
   {
+    if (this->Bodies++ % BodiesOfLook == 0)
+    {
+      OrAbort(this->GoOn)(0.0);
+    }
     std::vector<glm::vec3> points;
     for (const glm::vec3& point : group.Prototype.Points)
     {
@@ -247,21 +299,11 @@ public:
     }
   }
 
-private:
-  static constexpr int SideStep = 2;
-
-  /// How far rays start from surfaces, in radii, and the most surfaces that they pass.
-  static constexpr float Gap = 1e-3f;
-  static constexpr int MaximumSteps = 16;
-
   void AddBall(const Ball& ball)
   {
-    int divisions = 0;
-    while (divisions<MaximumDivisions&& this->Excess[divisions] * ball.Radius> OutlineTexels *
-      this->Settings.Texel)
-    {
-      ++divisions;
-    }
+    const auto fine = std::find_if(this->Excess.begin(), this->Excess.end() - 1,
+      [&](float excess) { return excess * ball.Radius <= this->MaximumExcess; });
+    const auto divisions = fine - this->Excess.begin();
     this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[divisions]);
   }
 
@@ -273,8 +315,7 @@ private:
       return;
     }
     int sides = MinimumStickSides;
-    while (sides < MaximumStickSides &&
-      GetExcess(sides) * tube.Radius > OutlineTexels * this->Settings.Texel)
+    while (sides < MaximumStickSides && this->MaximumExcess < GetExcess(sides) * tube.Radius)
     {
       sides += SideStep;
     }
@@ -338,10 +379,13 @@ private:
 
   const Scene& World;
   const SeenPlaces& Seen;
-  ShapeGroupSettings Settings;
+  float MaximumExcess;
+  const Progress& GoOn;
+  std::size_t Bodies = 0;
   std::array<InstanceGroup, MaximumDivisions + 1> Balls;
   std::array<float, MaximumDivisions + 1> Excess{};
   std::vector<InstanceGroup> Sticks;
+  std::vector<InstanceGroup> Instances;
 };
 
 float FindRadius(const std::vector<glm::vec3>& points)
@@ -420,65 +464,48 @@ ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
   const ShapeGroupSettings& settings, const Progress& progress)
 {
   ShapeGroups result;
-  const float maximum = MaximumRadiusTexels * settings.Texel;
-  ShapeSorter sorter(scene, seen, settings);
-  std::vector<const Mesh*> instanced;
+  std::vector<const Mesh*> small;
   for (const Mesh& mesh : scene.GetMeshes())
   {
-    OrAbort(progress)(0.0);
-    if (!mesh.Instances.empty())
-    {
-      (IsOfSmallInstances(mesh, MaximumInstanceTexels * settings.Texel) ? instanced : result.Others)
-        .push_back(&mesh);
-    }
-    else if (!IsOfSmallShapes(mesh, maximum))
-    {
-      result.Others.push_back(&mesh);
-    }
-    else if (mesh.Shape == Mesh::Shapes::Spheres)
-    {
-      sorter.AddSpheres(mesh);
-    }
-    else
-    {
-      sorter.AddTubes(mesh);
-    }
+    const bool isSmall = mesh.Instances.empty()
+      ? IsOfSmallShapes(mesh, MaximumRadiusTexels * settings.Texel)
+      : IsOfSmallInstances(mesh, MaximumInstanceTexels * settings.Texel);
+    (isSmall && settings.MaximumTriangles > 0 ? small : result.Others).push_back(&mesh);
   }
-  result.Groups = sorter.Take();
-  const std::vector<InstanceGroup> shapes = result.Groups;
-  for (int coarseness = 0; coarseness <= CoarsestInstance; ++coarseness)
+  for (int coarseness = 0; coarseness <= CoarsestBodies && !small.empty(); ++coarseness)
   {
-    result.Groups = shapes;
-    for (const Mesh* mesh : instanced)
+    ShapeSorter sorter(scene, seen,
+      OutlineTexels * settings.Texel * static_cast<float>(1 << 2 * coarseness), progress);
+    std::vector<const Mesh*> detailed;
+    for (const Mesh* mesh : small)
     {
-      InstanceGroup group = TessellateInstances(
-        *mesh, { settings.Tolerance, coarseness, settings.MaximumTriangles }, progress);
-      const bool isRound = mesh->Shape != Mesh::Shapes::Triangles;
-      InstanceGroup seenGroup{ isRound ? group.Prototype : SplitCreases(group.Prototype), {},
-        isRound || IsClosed(group.Prototype) };
-      for (const InstanceGroup::Placement& placement : group.Placements)
+      if (!mesh->Instances.empty())
       {
-        sorter.Add(placement, seenGroup);
+        const InstanceGroup all = TessellateInstances(
+          *mesh, { settings.Tolerance, coarseness, settings.MaximumTriangles }, progress);
+        if (!sorter.AddInstances(*mesh, all))
+        {
+          detailed.push_back(mesh);
+        }
       }
-      if (!seenGroup.Placements.empty())
+      else if (mesh->Shape == Mesh::Shapes::Spheres)
       {
-        result.Groups.push_back(std::move(seenGroup));
+        sorter.AddSpheres(*mesh);
+      }
+      else
+      {
+        sorter.AddTubes(*mesh);
       }
     }
-    result.Triangles = CountTriangles(result.Groups);
-    if (result.Triangles <= settings.MaximumTriangles || instanced.empty())
+    result.Groups = sorter.Take();
+    if (CountTriangles(result.Groups) <= settings.MaximumTriangles)
     {
-      break;
+      result.Others.insert(result.Others.end(), detailed.begin(), detailed.end());
+      return result;
     }
   }
-  if (result.Triangles > settings.MaximumTriangles)
-  {
-    result = {};
-    for (const Mesh& mesh : scene.GetMeshes())
-    {
-      result.Others.push_back(&mesh);
-    }
-  }
+  result.Groups.clear();
+  result.Others.insert(result.Others.end(), small.begin(), small.end());
   return result;
 }
 }

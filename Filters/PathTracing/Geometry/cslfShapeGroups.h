@@ -30,7 +30,6 @@ struct ShapeGroups
 {
   std::vector<InstanceGroup> Groups;
   std::vector<const Mesh*> Others; ///< the meshes that are in no group
-  std::size_t Triangles = 0;       ///< of all bodies
 };
 
 /// Finds the meshes of which each shape, or each instance, is small and opaque, if there are many.
