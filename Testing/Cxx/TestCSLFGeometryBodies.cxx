@@ -39,7 +39,7 @@ namespace
 {
 const cslf::Cube Box{ { 3.0, -2.0, 1.0 }, { 8.0, 4.0, 8.0 } };
 constexpr int Resolution = 64;
-constexpr int Count = 16;
+int Count = 16; // along each side of a layer
 constexpr double Spacing = 0.34;
 constexpr double BallRadius = 0.12;
 constexpr double StickRadius = 0.04;
@@ -298,5 +298,15 @@ int TestCSLFGeometryBodies(int, char*[])
   // Bodies may have five times as many triangles as other surfaces, and not more.
   const auto coarse = Sample(200);
   CSLF_CHECK(!GetGroups(coarse) && coarse->GetNumberOfPolys() <= 200);
+
+  // A few bodies are smaller as triangles.
+  Count = 6;
+  const auto few = Sample(200000);
+  CSLF_CHECK(GetGroups(few));
+  std::string error;
+  const auto decoded =
+    cslf::DecodeGeometry(cslf::EncodeGeometry(few, Box, Resolution, error), Box, error);
+  CSLF_CHECK(decoded && !GetGroups(decoded));
+  CSLF_CHECK(decoded && decoded->GetNumberOfPolys() == few->GetNumberOfPolys());
   return cslf::testing::Result();
 }

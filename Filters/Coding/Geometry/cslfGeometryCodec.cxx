@@ -734,7 +734,10 @@ std::vector<unsigned char> EncodeGeometry(
     {
       // A few bodies may take fewer bytes as triangles.
       std::vector<unsigned char> other = Pack(geometry, apart);
-      bytes = other.size() < bytes.size() ? std::move(other) : std::move(bytes);
+      if (other.size() < bytes.size())
+      {
+        bytes = std::move(other);
+      }
     }
     return bytes;
   }
