@@ -3,6 +3,7 @@
 #include "cslfGeometryData.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfTriangleList.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -91,6 +92,23 @@ vtkSmartPointer<vtkPolyData> MakePolyData(
   data->SetPoints(points);
   data->SetPolys(triangles);
   return data;
+}
+
+SurfaceMesh MakeMesh(vtkPolyData* data)
+{
+  SurfaceMesh mesh;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    mesh.Points.emplace_back(point[0], point[1], point[2]);
+  }
+  const std::vector<unsigned int> corners = ListCorners(data);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    mesh.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+  }
+  return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm::dvec3& center,

@@ -39,6 +39,8 @@ vtkSmartPointer<vtkPolyData> MakePolyData(
 /// The same in world coordinates, with the field data of a geometry.
 VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh,
   const glm::dvec3& center, const glm::dvec3& scale, const GeometryRecord& record);
+/// The points and triangles of data that has no other polygons.
+SurfaceMesh MakeMesh(vtkPolyData* data);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Rays/cslfRayGrid.h"
-#include "Pipeline/cslfTriangleList.h"
 #include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfSeenPlaces.h"
@@ -73,20 +72,7 @@ SurfaceMesh Divide(const SurfaceMesh& mesh, double longest)
   divider->SetMaximumEdgeLength(longest);
   divider->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
   divider->Update();
-  vtkPolyData* data = divider->GetOutput();
-  SurfaceMesh divided;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    data->GetPoint(i, point);
-    divided.Points.emplace_back(point[0], point[1], point[2]);
-  }
-  const std::vector<unsigned int> corners = ListCorners(data);
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-  {
-    divided.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
-  }
-  return divided;
+  return MakeMesh(divider->GetOutput());
 }
 
 void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most)

@@ -4,7 +4,6 @@
 
 #include "Geometry/cslfGeometryData.h"
 #include "PathTracing/Shapes/cslfTube.h"
-#include "Pipeline/cslfTriangleList.h"
 #include "cslfTessellation.h"
 
 #include <vtkCleanPolyData.h>
@@ -64,23 +63,6 @@ constexpr double CreaseAngle = 40.0;
 /// How far points of one corner may be apart, as a share of the prototype's size.
 constexpr double Rounding = 1e-5;
 
-SurfaceMesh ToMesh(vtkPolyData* data)
-{
-  SurfaceMesh mesh;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    data->GetPoint(i, point);
-    mesh.Points.emplace_back(point[0], point[1], point[2]);
-  }
-  const std::vector<unsigned int> corners = ListCorners(data);
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-  {
-    mesh.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
-  }
-  return mesh;
-}
-
 float GetArea(const SurfaceMesh& mesh)
 {
   float sum = 0.0f;
@@ -104,7 +86,7 @@ SurfaceMesh MakeBall(int divisions)
   divider->SetNumberOfSubdivisions(divisions);
   solid->Update();
   divider->Update();
-  SurfaceMesh ball = ToMesh(divisions > 0 ? divider->GetOutput() : solid->GetOutput());
+  SurfaceMesh ball = MakeMesh(divisions > 0 ? divider->GetOutput() : solid->GetOutput());
   for (glm::vec3& point : ball.Points)
   {
     point = glm::normalize(point);
@@ -174,7 +156,7 @@ InstanceGroup MakePrototype(const SurfaceMesh& mesh)
   splitter->SetAutoOrientNormals(group.IsClosed);
   splitter->SetFeatureAngle(CreaseAngle);
   splitter->Update();
-  group.Prototype = ToMesh(splitter->GetOutput());
+  group.Prototype = MakeMesh(splitter->GetOutput());
   return group;
 }
 
