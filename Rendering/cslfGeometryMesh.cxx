@@ -75,6 +75,18 @@ bool AreExact(const std::vector<glm::vec4>& colors)
     colors.begin(), colors.end(), [](const glm::vec4& color) { return color.w == 1.0f; });
 }
 
+/// Takes the triangles of balls apart.
+void TakeBalls(vtkPolyData* geometry, const Cube& box, GeometryMesh& mesh)
+{
+  mesh.Balls = FindBalls(geometry, box, mesh.Corners, mesh.Colors);
+  std::vector<std::uint32_t> others;
+  for (std::size_t i = 0; i < mesh.Corners.size(); ++i)
+  {
+    (mesh.Balls.AreTriangles[i / 3] ? mesh.BallCorners : others).push_back(mesh.Corners[i]);
+  }
+  mesh.Corners = std::move(others);
+}
+
 bool AreOpaque(const std::vector<glm::vec4>& colors)
 {
   return std::all_of(
@@ -127,6 +139,10 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   if (IsOpaqueGeometry(geometry))
   {
     mesh->Cells = std::make_shared<SurfaceCells>(field, mesh->PointsCC, mesh->Corners);
+  }
+  if (mesh->IsAlone)
+  {
+    TakeBalls(geometry, box, *mesh);
   }
   const ClosedParts parts = SortClosedParts(mesh->PointsCC, mesh->Corners);
   mesh->ClosedCorners = parts.Corners;

@@ -8,7 +8,9 @@
 #define cslfGeometryMesh_h
 
 #include "Lookup/cslfSceneGrid.h"
+#include "cslfBalls.h"
 #include "cslfDescription.h"
+#include "cslfMeshLevels.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -36,6 +38,11 @@ struct GeometryMesh
   /// The number of corners of closed parts, which come first, counterclockwise from outside.
   std::size_t ClosedCorners = 0;
 
+  /// What can be drawn instead of other triangles, if the geometry is alone: those of these
+  /// corners, counterclockwise from outside.
+  cslf::Balls Balls;
+  std::vector<std::uint32_t> BallCorners;
+
   /// Whether all points have a colour, and whether any of these is exact.
   bool HasColors = false;
   bool IsBright = false; ///< some exact colours are above 1
@@ -49,6 +56,15 @@ struct GeometryMesh
 
   /// Where it is, if it has only the opaque surfaces: rays may meet others. Otherwise null.
   std::shared_ptr<const SurfaceCells> Cells;
+
+  /// With fewer triangles, or null if they are not made yet: the first call begins to make them.
+  const MeshLevels* FindLevels() const
+  {
+    return this->LevelMaker.Find(this->PointsCC, this->Corners, this->ClosedCorners);
+  }
+
+private:
+  mutable MeshLevelMaker LevelMaker; ///< is destroyed before what it reads
 };
 
 /// The polygons and strips of a field's geometry as triangles, with its point data `Color`,

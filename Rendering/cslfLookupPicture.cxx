@@ -46,6 +46,11 @@ constexpr int MaximumSamples = 16;
 constexpr int RefinedSets = 5;
 constexpr double SetShiftX = 0.2;
 constexpr double SetShiftY = 0.4;
+/// A level of detail takes at most this many times as long as the next, which has half of the
+/// triangles; with room, so that levels do not change to and fro.
+constexpr double MaximumSlowing = 2.5;
+/// Fewer rays for each triangle than this save little time.
+constexpr double UsefulRays = 0.5;
 /// If this many seconds are available for a picture, the view is not moving.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with fewer pixels. Along each side, one pixel
@@ -126,6 +131,13 @@ int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MaximumSamples)));
 }
 
+std::size_t CountTriangles(const GeometryMesh& mesh, std::size_t level)
+{
+  const MeshLevels* levels = level > 0 ? mesh.FindLevels() : nullptr;
+  return 2 * mesh.Balls.Count() +
+    (levels ? levels->Levels[level - 1].CountTriangles() : mesh.Corners.size() / 3);
+}
+
 /// The same view for an area of the viewport.
 DisplayRows CutOut(
   const DisplayRows& ccdc, const std::array<int, 4>& viewport, const std::array<int, 4>& area)
@@ -154,8 +166,9 @@ LookupPicture::LookupPicture() = default;
 
 LookupPicture::~LookupPicture() = default;
 
-// While the view moves, as many rays as the time allows.
-void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
+// While the view moves, as many rays as the time allows, but before there are fewer than pixels,
+// the geometry gets fewer triangles.
+void LookupPicture::ChooseSize(const View& view, int wantedSamples, double seconds)
 {
   const double previous = this->Share;
   this->Share = 1.0;
@@ -163,9 +176,18 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
   if (seconds < StillSeconds)
   {
     // The time of the last lookup says nothing about another kind of lookup.
-    const bool isKnown = this->PixelSeconds > 0.0 && lookup == this->Current.Lookup;
+    const bool isKnown = this->PixelSeconds > 0.0 && view.Lookup == this->Current.Lookup;
     const double all = this->PixelSeconds * this->Area[2] * this->Area[3];
-    const double side = isKnown ? std::sqrt(LookupShare * seconds / all) : 0.5;
+    this->WantedSeconds = LookupShare * seconds;
+    double side = isKnown ? std::sqrt(this->WantedSeconds / all) : 0.5;
+    if (this->IsAlone)
+    {
+      const double rays = this->CanCoarsen
+        ? VTK_DOUBLE_MAX
+        : UsefulRays * CountTriangles(*view.Geometry, this->MovingLevel);
+      side = std::max(side, std::min(1.0, std::sqrt(rays / (this->Area[2] * this->Area[3]))));
+      side = this->MovingLevel > 0 ? std::min(side, 1.0) : side;
+    }
     this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
     const bool isKept = side >= previous && side < previous + 2.0 / ShareSteps;
     this->Share =
@@ -176,6 +198,27 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
     const double pixels = this->Area[2 + axis] * this->Samples * this->Share;
     this->Size[axis] = static_cast<int>(std::ceil(pixels));
   }
+}
+
+void LookupPicture::ChooseLevel(double seconds)
+{
+  if (!this->IsAlone)
+  {
+    return;
+  }
+  const bool isSlow = seconds > this->WantedSeconds;
+  const MeshLevels* levels =
+    isSlow || this->MovingLevel > 0 ? this->Current.Geometry->FindLevels() : nullptr;
+  const std::size_t coarsest = levels ? levels->Levels.size() : 0;
+  if (isSlow && this->MovingLevel < coarsest)
+  {
+    ++this->MovingLevel;
+  }
+  else if (this->MovingLevel > 0 && MaximumSlowing * seconds < this->WantedSeconds)
+  {
+    --this->MovingLevel;
+  }
+  this->CanCoarsen = this->MovingLevel < coarsest;
 }
 
 void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
@@ -228,14 +271,29 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
     this->Viewport = viewport;
     this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
     this->IsMoving = pace.Seconds < StillSeconds;
-    this->ChooseSize(view.Lookup, wantedSamples, pace.Seconds);
+    this->IsAlone = isOnGeometry && view.Geometry->IsAlone;
+    if (this->Current.Geometry != view.Geometry || this->Current.Lookup != view.Lookup)
+    {
+      this->MovingLevel = 0;
+      this->CanCoarsen = false;
+    }
+    this->ChooseSize(view, wantedSamples, pace.Seconds);
     this->Current = view;
     this->Changes = field.GetChanges();
     this->IsSearched = isSearched;
     this->IsOnGeometry = isOnGeometry;
+    // What moved is shown at once as it moved, and in full by the next picture.
+    const bool isFirst = this->IsMoving || pace.Refinement == Refinements::One;
+    this->Level = this->IsAlone && isFirst ? this->MovingLevel : 0;
     this->Sets = 0;
     const bool mayRefine = pace.Refinement != Refinements::None && !this->IsMoving;
     this->WantedSets = mayRefine && view.Samples > 1 && this->Samples > 1 ? RefinedSets : 1;
+    this->DrawSet(field);
+  }
+  else if (pace.Refinement != Refinements::None && this->IsPreview())
+  {
+    this->Level = 0;
+    this->Sets = 0;
     this->DrawSet(field);
   }
   else if (pace.Refinement == Refinements::One && !this->IsRefined())
@@ -253,7 +311,8 @@ void LookupPicture::DrawSet(FieldTexture& field)
   this->Allocate(field);
   const bool isOpaque = this->IsOnGeometry && this->Current.Geometry->Cells;
   this->Tools->Build(this->Window,
-    { this->Current.Lookup, this->IsSearched, this->IsOnGeometry, isOpaque }, field.GetField());
+    { this->Current.Lookup, this->IsSearched, this->IsOnGeometry, isOpaque, this->IsAlone },
+    field.GetField());
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -261,8 +320,9 @@ void LookupPicture::DrawSet(FieldTexture& field)
   if (this->IsMoving)
   {
     glFinish();
-    this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
-      (static_cast<double>(this->Size[0]) * this->Size[1]);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    this->PixelSeconds = seconds / (static_cast<double>(this->Size[0]) * this->Size[1]);
+    this->ChooseLevel(seconds);
   }
   if (this->IsRefined())
   {
@@ -279,12 +339,13 @@ void LookupPicture::Allocate(const FieldTexture& field)
     : isBright                     ? ColorSteps::Halves
                                    : ColorSteps::Bytes;
   const bool isMean = this->Samples > 1;
+  const bool hasMarks = this->IsSearched && !this->IsAlone;
   this->GetTarget().Allocate(this->Window,
     isMean ? std::array<int, 2>{ this->Area[2], this->Area[3] } : this->Size,
-    isByte && this->Sets > 0 ? ColorSteps::Halves : steps, this->IsSearched && !isMean);
+    isByte && this->Sets > 0 ? ColorSteps::Halves : steps, hasMarks && !isMean);
   if (isMean)
   {
-    this->Tools->Rays.Allocate(this->Window, this->Size, steps, this->IsSearched);
+    this->Tools->Rays.Allocate(this->Window, this->Size, steps, hasMarks);
   }
   if (this->IsSearched && !this->IsOnGeometry)
   {
@@ -308,6 +369,12 @@ DisplayRows LookupPicture::GetRows() const
     rows[axis] += rows[3] * (2.0 * shift[axis] / this->Size[axis]);
   }
   return rows;
+}
+
+SurfacePicture::View LookupPicture::GetSurfaceView() const
+{
+  return { this->GetRows(), this->Current.IsEyeInside, this->Current.ClippingPlanesCC,
+    this->Current.EyeCC, this->Level };
 }
 
 void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) const
@@ -368,7 +435,11 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  if (this->IsOnGeometry)
+  if (this->IsAlone)
+  {
+    this->DrawAlone();
+  }
+  else if (this->IsOnGeometry)
   {
     this->DrawSurfaces(field);
   }
@@ -388,12 +459,19 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   state->PopFramebufferBindings();
 }
 
+// Each ray shows the geometry that it meets.
+void LookupPicture::DrawAlone()
+{
+  this->Begin(this->GetRays(), false);
+  this->Tools->Surfaces.DrawAlone(this->Window, this->Tools->Framebuffer, this->Current.Geometry,
+    this->GetSurfaceView(), this->GetRays());
+}
+
 // Rays that meet the geometry are looked up there, others are searched.
 void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
   this->Tools->Surfaces.Draw(this->Window, this->Tools->Framebuffer, this->Current.Geometry,
-    this->GetRows(), this->Current.IsEyeInside, this->Current.ClippingPlanesCC, this->Size,
-    this->GetRays().Steps);
+    this->GetSurfaceView(), this->GetRays());
   this->Tools->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->Tools->OnSurface, SurfaceMark);
@@ -432,13 +510,9 @@ void LookupPicture::DrawPoints(FieldTexture& field)
     this->DrawFaces(field, *this->Tools->Exact, ExactMark, true);
   }
   const auto& faces = this->Current.EntryFaces;
-  const bool isAlone = this->Current.Geometry->IsAlone;
-  if (!isAlone)
-  {
-    this->DrawFaces(field, *this->Tools->Near, NearMark);
-    this->DrawFaces(field, *this->Tools->Far, FarMark);
-  }
-  if (!isAlone && !this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
+  this->DrawFaces(field, *this->Tools->Near, NearMark);
+  this->DrawFaces(field, *this->Tools->Far, FarMark);
+  if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
   {
     this->DrawFaces(field, *this->Tools->Other, OtherMark, true);
   }
@@ -478,25 +552,32 @@ void LookupPicture::DrawSearched(FieldTexture& field)
 void LookupPicture::DrawMeans()
 {
   this->Begin(this->GetTarget(), false);
-  // Without an earlier picture, any other texture can stand in its place.
-  const LookupTarget& earlier = this->Sets > 0 ? this->Pictures[this->Shown] : this->Tools->Rays;
-  for (const LookupTarget* target : { &std::as_const(this->Tools->Rays), &earlier })
+  const bool hasEarlier = this->Sets > 0;
+  std::vector<const LookupTarget*> targets{ &this->Tools->Rays };
+  if (hasEarlier)
+  {
+    targets.push_back(&this->Pictures[this->Shown]);
+  }
+  for (const LookupTarget* target : targets)
   {
     target->Colors->Activate();
     target->Depths->Activate();
   }
-  vtkShaderProgram* program = this->Tools->Mean->Program;
+  vtkOpenGLQuadHelper& mean = this->Tools->GetMean(this->Window, this->Samples, hasEarlier);
+  vtkShaderProgram* program = mean.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
   program->SetUniformi("RayColors", this->Tools->Rays.Colors->GetTextureUnit());
   program->SetUniformi("RayDepths", this->Tools->Rays.Depths->GetTextureUnit());
-  program->SetUniformi("EarlierColors", earlier.Colors->GetTextureUnit());
-  program->SetUniformi("EarlierDepths", earlier.Depths->GetTextureUnit());
-  program->SetUniformi("EarlierSets", this->Sets);
-  program->SetUniformi("RaysPerSide", this->Samples);
+  if (hasEarlier)
+  {
+    program->SetUniformi("EarlierColors", targets.back()->Colors->GetTextureUnit());
+    program->SetUniformi("EarlierDepths", targets.back()->Depths->GetTextureUnit());
+    program->SetUniformi("EarlierSets", this->Sets);
+  }
   program->SetUniformi("IsWhole", true);
   program->SetUniformf("MarkDC", 0.0F);
-  this->Tools->Mean->Render();
-  for (const LookupTarget* target : { &std::as_const(this->Tools->Rays), &earlier })
+  mean.Render();
+  for (const LookupTarget* target : targets)
   {
     target->Colors->Deactivate();
     target->Depths->Deactivate();

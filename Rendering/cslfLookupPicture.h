@@ -90,7 +90,7 @@ public:
   bool IsCoarse() const { return this->Share < 1.0; }
 
   /// Whether the picture has all rays that it should have.
-  bool IsRefined() const { return this->Sets >= this->WantedSets; }
+  bool IsRefined() const { return this->Sets >= this->WantedSets && !this->IsPreview(); }
 
   /// Sets the picture's uniforms of cslfMapperFS.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -111,9 +111,14 @@ private:
     int mostSamples);
   /// Looks up one more set of rays.
   void DrawSet(FieldTexture& field);
-  void ChooseSize(int lookup, int wantedSamples, double seconds);
+  void ChooseSize(const View& view, int wantedSamples, double seconds);
+  /// The level of the geometry for the next moving view, by the seconds that this one took.
+  void ChooseLevel(double seconds);
+  /// Whether the picture of a still view has less detail than it should have.
+  bool IsPreview() const { return this->Level > 0 && !this->IsMoving; }
   void Allocate(const FieldTexture& field);
   void DrawPicture(FieldTexture& field);
+  void DrawAlone();
   void DrawSurfaces(FieldTexture& field);
   void DrawPoints(FieldTexture& field);
   void DrawSearched(FieldTexture& field);
@@ -132,6 +137,7 @@ private:
 
   /// The view for the current set of rays of the picture's area.
   DisplayRows GetRows() const;
+  SurfacePicture::View GetSurfaceView() const;
 
   /// The picture's pixels from their rays, also the earlier ones.
   void DrawMeans();
@@ -153,8 +159,13 @@ private:
   bool IsMoving = false;                ///< the view, when the picture was drawn
   std::array<int, 2> Size{ 1, 1 };      ///< the number of rays
   double PixelSeconds = 0.0;            ///< for a pixel at the last measurement; 0 before
+  double WantedSeconds = 0.0;           ///< for a picture of a moving view
   bool IsSearched = false;              ///< by depth or geometry, which takes several passes
   bool IsOnGeometry = false;            ///< rays that meet the geometry are not searched
+  bool IsAlone = false;                 ///< the geometry shows the field
+  std::size_t Level = 0;                ///< of its detail: 0 for all of it
+  std::size_t MovingLevel = 0;          ///< the same, as far as there is time while the view moves
+  bool CanCoarsen = false;              ///< whether there is a level after that
   std::array<LookupTarget, 2> Pictures; ///< one is shown, the other replaces it when it is refined
   std::size_t Shown = 0;
 };

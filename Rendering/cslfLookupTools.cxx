@@ -73,6 +73,18 @@ void AllocateColors(
   texture->Allocate2D(width, height, 4, steps == ColorSteps::Bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
 }
 
+/// Frees a texture's memory, to be allocated again.
+void Renew(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filter)
+{
+  texture->ReleaseGraphicsResources(window);
+  texture->SetContext(window);
+  texture->ResetFormatAndType();
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+}
+
 /// Whether what is counterclockwise appears clockwise. Display coordinates are left-handed.
 bool IsMirrored(const DisplayRows& ccdc)
 {
@@ -84,34 +96,39 @@ SurfacePicture::SurfacePicture() = default;
 
 SurfacePicture::~SurfacePicture() = default;
 
-void SurfacePicture::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps)
+void SurfacePicture::Allocate(vtkOpenGLRenderWindow* window, const LookupTarget& target)
 {
-  if (this->Size == size && this->Points->GetHandle() != 0 && this->Steps == steps)
+  const auto width = static_cast<unsigned int>(target.Size[0]);
+  const auto height = static_cast<unsigned int>(target.Size[1]);
+  const bool fits = this->Points->GetHandle() != 0 && this->Points->GetWidth() == width &&
+    this->Points->GetHeight() == height && this->Steps == target.Steps;
+  if (!fits)
   {
-    return;
+    this->Steps = target.Steps;
+    Renew(this->Points, window, vtkTextureObject::Nearest);
+    this->Points->Allocate2D(width, height, 4, VTK_FLOAT);
+    Renew(this->Colors, window, vtkTextureObject::Nearest);
+    AllocateColors(this->Colors, width, height, this->Steps);
   }
-  this->Size = size;
-  this->Steps = steps;
-  for (vtkTextureObject* texture : { this->Points.Get(), this->Colors.Get(), this->Depths.Get() })
-  {
-    texture->ReleaseGraphicsResources(window);
-    texture->SetContext(window);
-    texture->ResetFormatAndType();
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  }
-  const auto width = static_cast<unsigned int>(size[0]);
-  const auto height = static_cast<unsigned int>(size[1]);
-  this->Points->Allocate2D(width, height, 4, VTK_FLOAT);
-  AllocateColors(this->Colors, width, height, steps);
-  this->Depths->AllocateDepth(width, height, vtkTextureObject::Float32);
+  this->AllocateDepths(window, target.Size);
 }
 
-void SurfacePicture::Upload()
+void SurfacePicture::AllocateDepths(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
 {
+  const auto width = static_cast<unsigned int>(size[0]);
+  const auto height = static_cast<unsigned int>(size[1]);
+  const bool fits = this->Depths->GetHandle() != 0 && this->Depths->GetWidth() == width &&
+    this->Depths->GetHeight() == height;
+  if (!fits)
+  {
+    Renew(this->Depths, window, vtkTextureObject::Nearest);
+    this->Depths->AllocateDepth(width, height, vtkTextureObject::Float32);
+  }
+}
+
+void SurfacePicture::Upload(vtkOpenGLRenderWindow* window)
+{
+  this->Spheres.Upload(window, this->Mesh->Balls);
   this->PointBuffer->Upload(&this->Mesh->PointsCC.front().x, 3 * this->Mesh->PointsCC.size(),
     vtkOpenGLBufferObject::ArrayBuffer);
   this->ColorBuffer->Upload(&this->Mesh->Colors.front().x, 4 * this->Mesh->Colors.size(),
@@ -121,16 +138,20 @@ void SurfacePicture::Upload()
     this->BackColorBuffer->Upload(&this->Mesh->BackColors.front().x,
       4 * this->Mesh->BackColors.size(), vtkOpenGLBufferObject::ArrayBuffer);
   }
-  this->Triangles.IBO->Upload(this->Mesh->Corners, vtkOpenGLBufferObject::ElementArrayBuffer);
-  this->Triangles.IBO->IndexCount = this->Mesh->Corners.size();
+  std::vector<std::uint32_t> corners = this->Mesh->Corners;
+  corners.insert(corners.end(), this->Mesh->BallCorners.begin(), this->Mesh->BallCorners.end());
+  this->Triangles.IBO->Upload(corners, vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->Triangles.IBO->IndexCount = corners.size();
+  this->CoarseTriangles->IndexCount = 0;
 }
 
-void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
+void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
 {
   const bool hasBackColors = !this->Mesh->BackColors.empty();
   const std::string options = std::string(hasBackColors ? "#define BACK_COLORS\n" : "") +
     (this->Mesh->IsBright ? "#define BRIGHT\n" : "") +
-    (planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
+    (this->Mesh->IsAlone ? "#define ALONE\n" : "") +
+    (this->Planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(this->Planes) : "");
   std::string vertex = cslfGeometryVS;
   std::string fragment = cslfGeometryFS;
   vtkShaderProgram::Substitute(vertex, "//CSLF::Options::Dec", options);
@@ -151,51 +172,77 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
   }
 }
 
-void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
-  const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, ColorSteps steps)
+void SurfacePicture::Prepare(vtkOpenGLRenderWindow* window,
+  const std::shared_ptr<const GeometryMesh>& mesh, std::size_t planes)
 {
-  vtkOpenGLState* state = window->GetState();
-  this->Allocate(window, size, steps);
   const bool isNew = std::exchange(this->Mesh, mesh) != mesh;
   if (isNew)
   {
-    this->Upload();
+    this->Upload(window);
   }
-  if (isNew || !this->Triangles.Program || this->Planes != planesCC.size())
+  if (isNew || !this->Triangles.Program || this->Planes != planes)
   {
-    this->Planes = planesCC.size();
+    this->Planes = planes;
     this->Triangles.VAO->ReleaseGraphicsResources();
-    this->Build(window, this->Planes);
+    this->Build(window);
   }
   window->GetShaderCache()->ReadyShaderProgram(this->Triangles.Program);
+}
+
+void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+  const std::shared_ptr<const GeometryMesh>& mesh, const View& view, const LookupTarget& target)
+{
+  this->Allocate(window, target);
+  this->Prepare(window, mesh, view.PlanesCC.size());
   framebuffer->SetContext(window);
   framebuffer->Bind();
   framebuffer->AddColorAttachment(0, this->Points);
   framebuffer->AddColorAttachment(1, this->Colors);
+  framebuffer->ActivateDrawBuffers(2);
+  this->ClearDepths(window, framebuffer, target.Size);
+  const float nothing[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  this->DrawMesh(window, view);
+}
+
+void SurfacePicture::DrawAlone(vtkOpenGLRenderWindow* window,
+  vtkOpenGLFramebufferObject* framebuffer, const std::shared_ptr<const GeometryMesh>& mesh,
+  const View& view, const LookupTarget& target)
+{
+  this->AllocateDepths(window, target.Size);
+  this->Prepare(window, mesh, view.PlanesCC.size());
+  this->ClearDepths(window, framebuffer, target.Size);
+  this->DrawMesh(window, view);
+}
+
+void SurfacePicture::ClearDepths(vtkOpenGLRenderWindow* window,
+  vtkOpenGLFramebufferObject* framebuffer, const std::array<int, 2>& size)
+{
+  vtkOpenGLState* state = window->GetState();
   framebuffer->RemoveDepthAttachment();
   framebuffer->AddDepthAttachment(this->Depths);
-  framebuffer->ActivateDrawBuffers(2);
   state->vtkglViewport(0, 0, size[0], size[1]);
   state->vtkglScissor(0, 0, size[0], size[1]);
-  const float nothing[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
   const float farthest = 1.0F;
-  glClearBufferfv(GL_COLOR, 0, nothing);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  state->vtkglEnable(GL_DEPTH_TEST);
+}
 
+void SurfacePicture::DrawMesh(vtkOpenGLRenderWindow* window, const View& view)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
   vtkShaderProgram* program = this->Triangles.Program;
   vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(&ccdc[0].x);
+  matrix->DeepCopy(&view.CCDC[0].x);
   matrix->Transpose(); // GLSL's matrices are stored by columns.
   program->SetUniformMatrix("CCDCMatrix", matrix);
-  if (!mesh->BackColors.empty())
+  if (!this->Mesh->BackColors.empty())
   {
-    program->SetUniformi("IsMirrored", IsMirrored(ccdc) ? 1 : 0);
+    program->SetUniformi("IsMirrored", IsMirrored(view.CCDC) ? 1 : 0);
   }
   std::vector<std::array<float, 4>> planes;
-  planes.reserve(planesCC.size());
-  for (const glm::dvec4& planeCC : planesCC)
+  planes.reserve(view.PlanesCC.size());
+  for (const glm::dvec4& planeCC : view.PlanesCC)
   {
     const glm::vec4 plane(planeCC);
     planes.push_back({ plane.x, plane.y, plane.z, plane.w });
@@ -205,16 +252,32 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
     program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
-  this->DrawTriangles(state, !isEyeInside && planesCC.empty() && !IsCut(ccdc) && !IsMirrored(ccdc));
+  const bool isWhole = !view.IsEyeInside && view.PlanesCC.empty() && !IsCut(view.CCDC);
+  this->DrawTriangles(state, view.Level, isWhole && !IsMirrored(view.CCDC), !isWhole);
+  if (isWhole)
+  {
+    this->Spheres.Draw(window, view.CCDC, view.EyeCC);
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 // Half of the triangles of closed parts face away from the eye.
-void SurfacePicture::DrawTriangles(vtkOpenGLState* state, bool hidesBacks)
+void SurfacePicture::DrawTriangles(
+  vtkOpenGLState* state, std::size_t level, bool hidesBacks, bool showsBalls)
 {
   this->Triangles.VAO->Bind();
-  this->Triangles.IBO->Bind();
-  const std::size_t closed = hidesBacks ? this->Mesh->ClosedCorners : 0;
+  const MeshLevels* levels = level > 0 ? this->Mesh->FindLevels() : nullptr;
+  if (levels && this->CoarseTriangles->IndexCount == 0)
+  {
+    this->CoarseTriangles->Upload(levels->Corners, vtkOpenGLBufferObject::ElementArrayBuffer);
+    this->CoarseTriangles->IndexCount = levels->Corners.size();
+  }
+  vtkOpenGLIndexBufferObject* buffer = levels ? this->CoarseTriangles.Get() : this->Triangles.IBO;
+  buffer->Bind();
+  const MeshLevel drawn = levels
+    ? levels->Levels[level - 1]
+    : MeshLevel{ 0, this->Mesh->ClosedCorners, this->Mesh->Corners.size() };
+  const std::size_t closed = hidesBacks ? drawn.ClosedEnd : drawn.First;
   const auto draw = [](std::size_t first, std::size_t end)
   {
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
@@ -222,10 +285,16 @@ void SurfacePicture::DrawTriangles(vtkOpenGLState* state, bool hidesBacks)
   };
   state->vtkglCullFace(GL_BACK);
   state->vtkglEnable(GL_CULL_FACE);
-  draw(0, closed);
+  draw(drawn.First, closed);
   state->vtkglDisable(GL_CULL_FACE);
-  draw(closed, this->Triangles.IBO->IndexCount);
-  this->Triangles.IBO->Release();
+  draw(closed, drawn.End);
+  buffer->Release();
+  if (showsBalls)
+  {
+    this->Triangles.IBO->Bind();
+    draw(this->Mesh->Corners.size(), this->Triangles.IBO->IndexCount);
+    this->Triangles.IBO->Release();
+  }
   this->Triangles.VAO->Release();
 }
 
@@ -256,6 +325,8 @@ void SurfacePicture::Release(vtkWindow* window)
   this->ColorBuffer->ReleaseGraphicsResources();
   this->BackColorBuffer->ReleaseGraphicsResources();
   this->Triangles.ReleaseGraphicsResources(window);
+  this->CoarseTriangles->ReleaseGraphicsResources();
+  this->Spheres.Release(window);
   this->Triangles.Program = nullptr;
   this->Mesh.reset();
 }
@@ -273,13 +344,7 @@ void LookupTarget::Allocate(
       texture->GetHeight() == height && isOfType;
     if (!fits)
     {
-      texture->ReleaseGraphicsResources(window);
-      texture->SetContext(window);
-      texture->ResetFormatAndType();
-      texture->SetMinificationFilter(filter);
-      texture->SetMagnificationFilter(filter);
-      texture->SetWrapS(vtkTextureObject::ClampToEdge);
-      texture->SetWrapT(vtkTextureObject::ClampToEdge);
+      Renew(texture, window, filter);
       allocateTexels();
     }
   };
@@ -325,7 +390,8 @@ LookupTools::~LookupTools() = default;
 bool LookupTools::Method::operator==(const Method& other) const
 {
   return this->Lookup == other.Lookup && this->IsSearched == other.IsSearched &&
-    this->IsOnGeometry == other.IsOnGeometry && this->IsOpaque == other.IsOpaque;
+    this->IsOnGeometry == other.IsOnGeometry && this->IsOpaque == other.IsOpaque &&
+    this->IsAlone == other.IsAlone;
 }
 
 // Branches cost time even if they are not taken, so each program has only its own lookup.
@@ -342,10 +408,11 @@ void LookupTools::Build(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
   const bool showsEnvironment = field.MayShowEnvironment();
   const std::array<bool, 3> traits{ hasDepth, isLinear, showsEnvironment };
-  if (this->Search && method == this->Built && traits == this->BuiltFor)
+  if (this->IsBuilt && method == this->Built && traits == this->BuiltFor)
   {
     return;
   }
+  this->IsBuilt = true;
   this->Built = method;
   this->BuiltFor = traits;
   const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfEntryGLSL +
@@ -367,7 +434,7 @@ void LookupTools::Build(
   std::string ray = cslfPictureFS;
   vtkShaderProgram::Substitute(ray, "//CSLF::Lookup::Dec", functions);
   this->ReleasePrograms();
-  if (method.IsOnGeometry)
+  if (method.IsOnGeometry && !method.IsAlone)
   {
     std::string point = cslfSurfaceFS;
     vtkShaderProgram::Substitute(
@@ -389,31 +456,50 @@ void LookupTools::Build(
       this->Around = build(ray, "LookupAround");
     }
   }
-  else if (method.IsSearched)
+  else if (method.IsSearched && !method.IsAlone)
   {
     this->GuessSearch = build(ray, "LookupGuess", "\n#define DEPTH_ONLY");
     this->Miss = build(ray, "LookupMiss");
     this->Check = build(ray, "LookupGuessed");
   }
-  this->Search = build(ray, method.IsSearched ? "LookupSeen" : lookups[method.Lookup]);
-  if (method.IsSearched)
+  if (!method.IsAlone)
+  {
+    this->Search = build(ray, method.IsSearched ? "LookupSeen" : lookups[method.Lookup]);
+  }
+  if (method.IsSearched && !method.IsAlone)
   {
     this->Rest = build(ray, "LookupUnseen");
   }
-  std::string mean = cslfMeanFS;
-  vtkShaderProgram::Substitute(mean, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
-  vtkShaderProgram::Substitute(mean, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
-  this->Mean = build(mean, "", isLinear ? "\n#define LINEAR_COLOR" : "");
+}
+
+vtkOpenGLQuadHelper& LookupTools::GetMean(
+  vtkOpenGLRenderWindow* window, int raysPerSide, bool hasEarlier)
+{
+  std::unique_ptr<vtkOpenGLQuadHelper>& mean = this->Means[{ raysPerSide, hasEarlier }];
+  if (!mean)
+  {
+    std::string fragment = cslfMeanFS;
+    const bool isLinear = this->BuiltFor[1];
+    vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
+      "#define RAYS_PER_SIDE " + std::to_string(raysPerSide) +
+        (hasEarlier ? "\n#define HAS_EARLIER" : "") + (isLinear ? "\n#define LINEAR_COLOR" : ""));
+    vtkShaderProgram::Substitute(fragment, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
+    vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
+    mean = std::make_unique<vtkOpenGLQuadHelper>(window, cslfPictureVS, fragment.c_str(), "");
+  }
+  return *mean;
 }
 
 void LookupTools::ReleasePrograms()
 {
   for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
-         &this->Mean, &this->OnSurface, &this->Front, &this->Close, &this->Around, &this->Exact,
-         &this->Near, &this->Far, &this->Other, &this->Own })
+         &this->OnSurface, &this->Front, &this->Close, &this->Around, &this->Exact, &this->Near,
+         &this->Far, &this->Other, &this->Own })
   {
     program->reset();
   }
+  this->Means.clear();
+  this->IsBuilt = false;
 }
 
 void LookupTools::Release(vtkWindow* window)

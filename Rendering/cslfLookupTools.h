@@ -14,13 +14,16 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "cslfGeometryMesh.h"
 #include "cslfViewFrustum.h"
 
 class vtkOpenGLFramebufferObject;
+class vtkOpenGLIndexBufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
@@ -40,8 +43,10 @@ enum class ColorSteps
   Floats
 };
 
-/// Textures with the points and colours of cslfSurface.glsl. Belongs to one render
-/// window's context at a time.
+struct LookupTarget;
+
+/// Draws a field's geometry: its points and colours to textures for cslfSurface.glsl or, if it
+/// alone shows the field, what is seen. Belongs to one render window's context at a time.
 class SurfacePicture
 {
 public:
@@ -50,11 +55,24 @@ public:
   SurfacePicture(const SurfacePicture&) = delete;
   SurfacePicture& operator=(const SurfacePicture&) = delete;
 
-  /// Draws a mesh, except where any of the planes is negative. Closed parts hide their backs if the
-  /// eye is outside of the cube. Binds the framebuffer.
+  /// How a mesh is seen.
+  struct View
+  {
+    DisplayRows CCDC{};
+    bool IsEyeInside = false;         ///< of the cube; if not, closed parts hide their backs
+    std::vector<glm::dvec4> PlanesCC; ///< where any is negative, nothing is drawn
+    glm::dvec4 EyeCC{ 0.0 };          ///< w = 1: the eye; w = 0: the direction of a projection
+    std::size_t Level = 0;            ///< of detail: 0 for all triangles
+  };
+
+  /// Draws a mesh to textures that a target of that size needs. Binds the framebuffer.
   void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-    const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
-    const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, ColorSteps steps);
+    const std::shared_ptr<const GeometryMesh>& mesh, const View& view, const LookupTarget& target);
+
+  /// Draws a mesh that alone shows the field to a target that the framebuffer has, and that was
+  /// cleared. Needs no textures.
+  void DrawAlone(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+    const std::shared_ptr<const GeometryMesh>& mesh, const View& view, const LookupTarget& target);
 
   /// Binds the textures to texture units, until Deactivate.
   void Activate();
@@ -67,10 +85,18 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, ColorSteps steps);
-  void Upload();
-  void Build(vtkOpenGLRenderWindow* window, std::size_t planes);
-  void DrawTriangles(vtkOpenGLState* state, bool hidesBacks);
+  void Allocate(vtkOpenGLRenderWindow* window, const LookupTarget& target);
+  void AllocateDepths(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
+  /// Uploads the mesh and builds the program, unless they are there.
+  void Prepare(vtkOpenGLRenderWindow* window, const std::shared_ptr<const GeometryMesh>& mesh,
+    std::size_t planes);
+  void Upload(vtkOpenGLRenderWindow* window);
+  void Build(vtkOpenGLRenderWindow* window);
+  /// Makes the depths those of the framebuffer, and clears them.
+  void ClearDepths(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+    const std::array<int, 2>& size);
+  void DrawMesh(vtkOpenGLRenderWindow* window, const View& view);
+  void DrawTriangles(vtkOpenGLState* state, std::size_t level, bool hidesBacks, bool showsBalls);
 
   std::shared_ptr<const GeometryMesh> Mesh; ///< that was uploaded
   std::array<int, 2> Size{ 0, 0 };
@@ -83,6 +109,8 @@ private:
   vtkNew<vtkOpenGLBufferObject> ColorBuffer;
   vtkNew<vtkOpenGLBufferObject> BackColorBuffer;
   vtkOpenGLHelper Triangles;
+  vtkNew<vtkOpenGLIndexBufferObject> CoarseTriangles; ///< of all levels but the finest
+  BallPicture Spheres;
 };
 
 struct Description;
@@ -122,12 +150,17 @@ struct LookupTools
     bool IsSearched = false;   ///< by depth or geometry, which takes several passes
     bool IsOnGeometry = false; ///< rays that meet the geometry are not searched
     bool IsOpaque = false;     ///< except for what they meet before, which the geometry lacks
+    bool IsAlone = false;      ///< the geometry shows the field: no ray is looked up
 
     bool operator==(const Method& other) const;
   };
 
   /// Builds the programs of a method for a field, unless they are there.
   void Build(vtkOpenGLRenderWindow* window, const Method& method, const Description& field);
+
+  /// The program for the mean of the rays of a pixel, with that many along each side, and perhaps
+  /// of an earlier picture. Branches and loops in it would take half of a picture's time.
+  vtkOpenGLQuadHelper& GetMean(vtkOpenGLRenderWindow* window, int raysPerSide, bool hasEarlier);
 
   /// Frees everything. The window's context must be current.
   void Release(vtkWindow* window);
@@ -144,7 +177,6 @@ struct LookupTools
   std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all
   std::unique_ptr<vtkOpenGLQuadHelper>
     Rest; ///< pixels for which the search found no visible surface
-  std::unique_ptr<vtkOpenGLQuadHelper> Mean;      ///< the rays of a pixel
   std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks these rays
   std::unique_ptr<vtkOpenGLQuadHelper> Around;    ///< what it lacks, by views farther around
   std::unique_ptr<vtkOpenGLQuadHelper> Front;     ///< what it lacks in front of it
@@ -158,6 +190,8 @@ struct LookupTools
 private:
   void ReleasePrograms();
 
+  std::map<std::pair<int, bool>, std::unique_ptr<vtkOpenGLQuadHelper>> Means;
+  bool IsBuilt = false;
   Method Built;
   std::array<bool, 3> BuiltFor{}; ///< whether the field has depth, linear colours, an environment
 };

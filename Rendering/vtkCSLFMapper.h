@@ -154,8 +154,11 @@ public:
    * Whether to trace fewer rays if rays for all pixels would take longer than the window's desired
    * update rate allows, for example while the camera moves with an interactor. The number of rays
    * is adapted to the time available, down to one ray per 4 x 4 pixels, and colours are
-   * interpolated between them. If the desired rate is below one picture per second, as for still
-   * views or if no rate is set, all rays are traced. Default: on.
+   * interpolated between them. A geometry that alone shows the field gets fewer triangles before
+   * there are fewer rays than pixels; another thread makes them when they are needed first. With
+   * Streaming, the first still picture has these triangles, too, and the next one all of them. If
+   * the desired rate is below one picture per second, as for still views or if no rate is set, all
+   * rays are traced. Default: on.
    */
   vtkSetMacro(AutoAdjustResolution, bool);
   vtkGetMacro(AutoAdjustResolution, bool);

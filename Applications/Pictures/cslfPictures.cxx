@@ -78,7 +78,8 @@ void OffscreenWindow::SetDesiredUpdateRate(double rate)
 
 double OffscreenWindow::Draw(vtkCamera* camera)
 {
-  this->Renderer->SetActiveCamera(camera);
+  // Fields know by the camera which pictures follow each other.
+  this->Renderer->GetActiveCamera()->DeepCopy(camera);
   const auto start = std::chrono::steady_clock::now();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();

@@ -44,14 +44,14 @@ void AddGroupArrays(const std::vector<InstanceGroup>& groups, const glm::dvec3& 
   {
     return;
   }
-  auto* sizes = AddArray<vtkIdTypeArray>(GeometryGroupsName, 3, data);
+  auto* sizes = AddArray<vtkIdTypeArray>(GeometryGroupsName, 4, data);
   auto* prototypes = AddArray<vtkDoubleArray>(GeometryPrototypesName, 3, data);
   auto* placements = AddArray<vtkDoubleArray>(GeometryPlacementsName, 12, data);
   for (const InstanceGroup& group : groups)
   {
-    sizes->InsertNextTuple3(static_cast<double>(group.Prototype.Points.size()),
+    sizes->InsertNextTuple4(static_cast<double>(group.Prototype.Points.size()),
       static_cast<double>(group.Prototype.Triangles.size()),
-      static_cast<double>(group.Placements.size()));
+      static_cast<double>(group.Placements.size()), group.IsBall ? 1.0 : 0.0);
     for (const glm::vec3& point : group.Prototype.Points)
     {
       prototypes->InsertNextTuple3(point.x, point.y, point.z);

@@ -39,6 +39,7 @@ struct InstanceGroup
   SurfaceMesh Prototype;
   std::vector<Placement> Placements;
   bool IsClosed = false; ///< whether nobody sees its back
+  bool IsBall = false;   ///< whether the prototype stands for the unit sphere
 };
 
 /// Adds the bodies of a group, in their order. Each has the points and triangles of the prototype,

@@ -55,10 +55,11 @@ constexpr double MaximumUsefulLoss = 0.2;
 /// A text: the hash of the scene that is also in the description of its fields.
 constexpr const char* GeometrySceneName = "GeometryScene";
 
-/// Field data of three integers for each group of bodies that are one mesh, the prototype, at
-/// several places: the points and triangles of the prototype, and the number of bodies. The bodies
-/// come last among the points and the triangles, in the order of the groups, and each has its
-/// points and triangles in the order of the prototype's.
+/// Field data of four integers for each group of bodies that are one mesh, the prototype, at
+/// several places: the points and triangles of the prototype, the number of bodies, and 1 if the
+/// prototype stands for the unit sphere, otherwise 0. The bodies come last among the points and the
+/// triangles, in the order of the groups, and each has its points and triangles in the order of the
+/// prototype's.
 constexpr const char* GeometryGroupsName = "GeometryGroups";
 
 ///@{

@@ -1,9 +1,11 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes where the geometry is, its normal and its own colour, for cslfSurface.glsl.
+// Writes where the geometry is, its normal and its own colour, for cslfSurface.glsl; or, if it
+// alone shows the field, what is seen.
 
 // Options:
+//   ALONE            it alone shows the field: all colours are exact
 //   BACK_COLORS      its back has other colours
 //   BRIGHT           some colours are above 1
 //   CLIPPING_PLANES  how many planes cut it
@@ -40,13 +42,18 @@ void main()
     }
   }
 #endif
-  vec3 normal = cross(dFdx(pointCCVSOutput), dFdy(pointCCVSOutput));
-  gl_FragData[0] = vec4(pointCCVSOutput, PackNormal(normal));
   vec4 color = colorVSOutput;
 #ifdef BACK_COLORS
   color = gl_FrontFacing == (IsMirrored == 0) ? colorVSOutput : backColorVSOutput;
 #endif
+#ifdef ALONE
+  gl_FragData[0] = vec4(color.rgb, 1.0);
+  gl_FragData[1] = vec4(2.0 * gl_FragCoord.z - 1.0); // z in DC
+#else
+  vec3 normal = cross(dFdx(pointCCVSOutput), dFdy(pointCCVSOutput));
+  gl_FragData[0] = vec4(pointCCVSOutput, PackNormal(normal));
   gl_FragData[1] = color;
+#endif
 #ifdef BRIGHT
   // Where what is bright touches the back of something dark, as a lamp does the roof above it, both
   // are as deep, and a single ray that met the former would make the pixel white.

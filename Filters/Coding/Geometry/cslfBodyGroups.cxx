@@ -245,7 +245,7 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
   vtkDataArray* sizes = fields->GetArray(GeometryGroupsName);
   vtkDataArray* prototypes = fields->GetArray(GeometryPrototypesName);
   vtkDataArray* placements = fields->GetArray(GeometryPlacementsName);
-  if (!sizes || !prototypes || !placements || sizes->GetNumberOfComponents() != 3 ||
+  if (!sizes || !prototypes || !placements || sizes->GetNumberOfComponents() != 4 ||
     prototypes->GetNumberOfComponents() != 3 || placements->GetNumberOfComponents() != 12)
   {
     return {};
@@ -255,6 +255,7 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
     vtkIdType Points;
     vtkIdType Triangles;
     vtkIdType Bodies;
+    bool AreBalls;
   };
   std::vector<Size> all;
   vtkIdType point = triangles->GetNumberOfPoints();
@@ -263,16 +264,16 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
   vtkIdType bodies = 0;
   for (vtkIdType i = 0; i < sizes->GetNumberOfTuples(); ++i)
   {
-    double size[3];
+    double size[4];
     sizes->GetTuple(i, size);
     const auto left = static_cast<double>(point + triangle);
-    if (!std::all_of(std::begin(size), std::end(size),
+    if (!std::all_of(std::begin(size), std::begin(size) + 3,
           [left](double number) { return number >= 1.0 && number <= left; }) ||
       std::max(size[0], size[1]) * size[2] > left || left > MaximumTotal)
     {
       return {};
     }
-    all.push_back({ vtkIdType(size[0]), vtkIdType(size[1]), vtkIdType(size[2]) });
+    all.push_back({ vtkIdType(size[0]), vtkIdType(size[1]), vtkIdType(size[2]), size[3] != 0.0 });
     point -= all.back().Points * all.back().Bodies;
     triangle -= all.back().Triangles * all.back().Bodies;
     prototypePoints += all.back().Points;
@@ -300,6 +301,7 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
   for (const Size& size : all)
   {
     BodyGroup group;
+    group.AreBalls = size.AreBalls;
     std::vector<glm::dvec3> places(size.Points);
     for (glm::dvec3& place : places)
     {
@@ -444,7 +446,7 @@ nlohmann::json BodyGroups::Describe() const
   {
     groups.push_back({ { "points", group.GetPoints() }, { "triangles", group.GetTriangles() },
       { "bodies", group.GetBodies() }, { "extent", group.Extent },
-      { "vectors", group.Vectors.size() } });
+      { "vectors", group.Vectors.size() }, { "balls", group.AreBalls } });
   }
   return { { "groups", groups }, { "sides", this->Sides }, { "step", this->Step },
     { "has_exact", this->HasFlags } };
@@ -490,6 +492,7 @@ BodyGroups BodyGroups::Read(
     group.Vectors.assign(vectors, std::vector<std::int16_t>(numbers));
     group.Multiples.assign(vectors, std::vector<std::int16_t>(bodies));
     group.Flags.resize(flags);
+    group.AreBalls = entry.value("balls", false);
     group.Extent = entry.at("extent").get<double>();
     RequireBodies(group.Extent >= MinimumExtent && group.Extent <= MaximumExtent);
   }
@@ -619,7 +622,7 @@ void BodyGroups::Append(const Cube& box, vtkPolyData* geometry) const
   vtkCellArray* triangles = geometry->GetPolys();
   vtkNew<vtkIdTypeArray> sizes;
   sizes->SetName(GeometryGroupsName);
-  sizes->SetNumberOfComponents(3);
+  sizes->SetNumberOfComponents(4);
   vtkNew<vtkDoubleArray> prototypes;
   prototypes->SetName(GeometryPrototypesName);
   prototypes->SetNumberOfComponents(3);
@@ -628,8 +631,9 @@ void BodyGroups::Append(const Cube& box, vtkPolyData* geometry) const
   placements->SetNumberOfComponents(12);
   for (const BodyGroup& group : this->Groups)
   {
-    sizes->InsertNextTuple3(static_cast<double>(group.GetPoints()),
-      static_cast<double>(group.GetTriangles()), static_cast<double>(group.GetBodies()));
+    sizes->InsertNextTuple4(static_cast<double>(group.GetPoints()),
+      static_cast<double>(group.GetTriangles()), static_cast<double>(group.GetBodies()),
+      group.AreBalls ? 1.0 : 0.0);
     for (std::size_t point = 0; point < group.GetPoints(); ++point)
     {
       const glm::dvec3 place = GetPoint(group, point);

@@ -35,6 +35,7 @@ struct BodyGroup
   std::vector<std::uint32_t> Corners; ///< three a triangle of the prototype
   std::vector<std::int16_t> Points;   ///< three a point of the prototype
   double Extent = 0.0;                ///< the largest coordinate
+  bool AreBalls = false;              ///< the prototype stands for the unit sphere
 
   /// The matrix of each body, row by row: from the prototype to cube coordinates.
   std::vector<std::array<std::int16_t, 12>> Placements;

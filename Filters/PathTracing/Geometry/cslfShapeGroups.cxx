@@ -182,6 +182,7 @@ public:
     {
       this->Balls[divisions].Prototype = MakeBall(divisions);
       this->Balls[divisions].IsClosed = true;
+      this->Balls[divisions].IsBall = true;
       this->Excess[divisions] = glm::length(this->Balls[divisions].Prototype.Points.front()) - 1.0f;
     }
     for (int sides = MinimumStickSides; sides <= MaximumStickSides; sides += SideStep)
