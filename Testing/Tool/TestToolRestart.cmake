@@ -54,7 +54,7 @@ function (cslf_expect_bytes pattern expected file)
 endfunction ()
 
 # A part damaged by hand is coded again.
-set(slow cornell-box -M 5 -N 32 --spp 8 --max-depth 3 --preset ultrafast)
+set(slow cornell-box -M 5 -N 32 --spp 8 --max-depth 3 --integrator path --preset ultrafast)
 cslf_run(sample ${slow} -o slow.mp4)
 
 # Interrupted by Ctrl+C. The next run tells what it resumes.
@@ -104,7 +104,7 @@ cslf_kill(killed.mp4 sample ${slow})
 cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" seed.mp4 killed.mp4
   sample ${slow} --seed 1)
 file(WRITE "${DIRECTORY}/scene.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\nf 1 3 4\n")
-set(triangles scene.obj -M 5 -N 32 --spp 32 --preset ultrafast)
+set(triangles scene.obj -M 5 -N 32 --spp 32 --integrator path --preset ultrafast)
 cslf_kill(killed.mp4 sample ${triangles})
 file(WRITE "${DIRECTORY}/scene.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\nf 2 3 4\n")
 cslf_run(sample ${triangles} -o other.mp4)
