@@ -152,12 +152,14 @@ bool vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::
 {
   cslf::Phase phase(this, "Checking the radiance cache", CheckProgress);
   // If there are few texels, a few are enough: the check must not take longer than everything else.
+  // Like the cache, which may be kept when they change, the check does not depend on the samples.
   constexpr std::int64_t most = 1024;
   constexpr std::int64_t least = 16;
-  const std::int64_t samples = std::int64_t(this->GetUsedSamples()) * picture.TileWidth *
-    picture.TileHeight * picture.Tiles * picture.Slices;
+  constexpr std::int64_t share = 16;
+  const std::int64_t texels =
+    std::int64_t(picture.TileWidth) * picture.TileHeight * picture.Tiles * picture.Slices;
   cslf::CheckSettings settings;
-  settings.Texels = static_cast<int>(std::clamp(samples / 1024, least, most));
+  settings.Texels = static_cast<int>(std::clamp(texels / share, least, most));
   settings.Exposure = this->Exposure;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Paths.MaximumDepth = this->MaximumDepth;

@@ -136,11 +136,14 @@ JSON ListParts(const std::vector<FilePart>& parts)
 std::string JoinParts(const std::vector<FilePart>& parts)
 {
   std::string text;
+  const char* separator = "";
   for (const FilePart& part : parts)
   {
     if (!part.IsGeometry())
     {
-      text += (text.empty() ? "" : " ") + ToBase64(part.Bytes.data(), part.Bytes.size());
+      // Also after a part without bytes.
+      text += separator + ToBase64(part.Bytes.data(), part.Bytes.size());
+      separator = " ";
     }
   }
   return text;

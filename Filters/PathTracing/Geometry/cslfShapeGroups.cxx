@@ -4,6 +4,7 @@
 
 #include "Geometry/cslfGeometryData.h"
 #include "PathTracing/Shapes/cslfTube.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfTessellation.h"
 
 #include <vtkCleanPolyData.h>
@@ -39,8 +40,17 @@ constexpr float MaximumInstanceTexels = 16.0f;
 /// How far outlines of balls and sticks may be off, in texels.
 constexpr float OutlineTexels = 0.1f;
 
-/// How often the triangles of an icosahedron are divided into four at most.
-constexpr int MaximumDivisions = 2;
+/// Balls are an octahedron, or an icosahedron whose triangles are divided into four that often, up
+/// to twice.
+constexpr std::array<int, 4> BallDivisions{ -1, 0, 1, 2 };
+
+/// If there are too many balls even so, some of them stand for all, and are larger (Cook,
+/// Halstead, Planck, Ryu, "Stochastic Simplification of Aggregate Detail", 2007): up to this
+/// radius, in texels.
+constexpr float MaximumThinnedTexels = 0.5f;
+
+/// The part of the limit that random choices aim at, so that they do not exceed it.
+constexpr double ThinnedShare = 0.98;
 
 /// The sides of a stick.
 constexpr int MinimumStickSides = 6;
@@ -75,12 +85,12 @@ float GetArea(const SurfaceMesh& mesh)
   return sum;
 }
 
-/// An icosahedron whose triangles are divided, around the unit sphere: a convex body has a mean
-/// outline of a quarter of its area (Cauchy), so this one has the sphere's.
+/// One of BallDivisions, around the unit sphere: a convex body has a mean outline of a quarter of
+/// its area (Cauchy), so this one has the sphere's.
 SurfaceMesh MakeBall(int divisions)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
-  solid->SetSolidTypeToIcosahedron();
+  solid->SetSolidType(divisions < 0 ? VTK_SOLID_OCTAHEDRON : VTK_SOLID_ICOSAHEDRON);
   vtkNew<vtkLinearSubdivisionFilter> divider;
   divider->SetInputConnection(solid->GetOutputPort());
   divider->SetNumberOfSubdivisions(divisions);
@@ -178,12 +188,12 @@ public:
     , MaximumExcess(maximumExcess)
     , GoOn(progress)
   {
-    for (int divisions = 0; divisions <= MaximumDivisions; ++divisions)
+    for (std::size_t i = 0; i < BallDivisions.size(); ++i)
     {
-      this->Balls[divisions].Prototype = MakeBall(divisions);
-      this->Balls[divisions].IsClosed = true;
-      this->Balls[divisions].IsBall = true;
-      this->Excess[divisions] = glm::length(this->Balls[divisions].Prototype.Points.front()) - 1.0f;
+      this->Balls[i].Prototype = MakeBall(BallDivisions[i]);
+      this->Balls[i].IsClosed = true;
+      this->Balls[i].IsBall = true;
+      this->Excess[i] = glm::length(this->Balls[i].Prototype.Points.front()) - 1.0f;
     }
     for (int sides = MinimumStickSides; sides <= MaximumStickSides; sides += SideStep)
     {
@@ -286,8 +296,8 @@ private:
   {
     const auto fine = std::find_if(this->Excess.begin(), this->Excess.end() - 1,
       [&](float excess) { return excess * ball.Radius <= this->MaximumExcess; });
-    const auto divisions = fine - this->Excess.begin();
-    this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[divisions]);
+    const auto found = fine - this->Excess.begin();
+    this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[found]);
   }
 
   void AddStick(const Tube& tube)
@@ -365,8 +375,8 @@ private:
   float MaximumExcess;
   const Progress& GoOn;
   std::size_t Bodies = 0;
-  std::array<InstanceGroup, MaximumDivisions + 1> Balls;
-  std::array<float, MaximumDivisions + 1> Excess{};
+  std::array<InstanceGroup, BallDivisions.size()> Balls;
+  std::array<float, BallDivisions.size()> Excess{};
   std::vector<InstanceGroup> Sticks;
   std::vector<InstanceGroup> Instances;
 };
@@ -441,6 +451,48 @@ std::size_t CountTriangles(const std::vector<InstanceGroup>& groups)
   }
   return count;
 }
+
+/// Keeps as many balls as the limit allows, with the area of all. False if they were too large.
+bool ThinBalls(std::vector<InstanceGroup>& groups, std::size_t maximumTriangles, float texel)
+{
+  std::size_t balls = 0;
+  float radius = 0.0f;
+  for (const InstanceGroup& group : groups)
+  {
+    for (const InstanceGroup::Placement& placement : group.Placements)
+    {
+      radius = group.IsBall ? std::max(radius, placement.Linear[0][0]) : radius;
+    }
+    balls += group.IsBall ? group.Prototype.Triangles.size() * group.Placements.size() : 0;
+  }
+  const std::size_t others = CountTriangles(groups) - balls;
+  if (others >= maximumTriangles)
+  {
+    return false;
+  }
+  const double share = ThinnedShare * static_cast<double>(maximumTriangles - others) /
+    static_cast<double>(std::max<std::size_t>(balls, 1));
+  const auto growth = static_cast<float>(1.0 / std::sqrt(share));
+  if (growth * radius > MaximumThinnedTexels * texel)
+  {
+    return false;
+  }
+  for (InstanceGroup& group : groups)
+  {
+    std::vector<InstanceGroup::Placement> kept;
+    for (std::size_t i = 0; group.IsBall && i < group.Placements.size(); ++i)
+    {
+      // Every so many balls, but none in step with the order of the points of a scan.
+      if (std::ldexp(static_cast<double>(MixBits(i, 0)), -64) < share)
+      {
+        kept.push_back(group.Placements[i]);
+        kept.back().Linear *= growth;
+      }
+    }
+    group.Placements = group.IsBall ? std::move(kept) : std::move(group.Placements);
+  }
+  return CountTriangles(groups) <= maximumTriangles;
+}
 }
 
 ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
@@ -481,7 +533,9 @@ ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
       }
     }
     result.Groups = sorter.Take();
-    if (CountTriangles(result.Groups) <= settings.MaximumTriangles)
+    if (CountTriangles(result.Groups) <= settings.MaximumTriangles ||
+      (coarseness == CoarsestBodies &&
+        ThinBalls(result.Groups, settings.MaximumTriangles, settings.Texel)))
     {
       result.Others.insert(result.Others.end(), detailed.begin(), detailed.end());
       return result;

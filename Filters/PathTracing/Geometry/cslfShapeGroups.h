@@ -34,7 +34,8 @@ struct ShapeGroups
 
 /// Finds the meshes of which each shape, or each instance, is small and opaque, if there are many.
 /// The bodies of which no part is seen are left out. Ends of sticks that lie within other bodies
-/// are, too; others are balls. There are no groups if they had too many triangles. Throws Aborted.
+/// are, too; others are balls. If there are too many balls that are far smaller than texels, larger
+/// ones stand for them. There are no groups if they had too many triangles. Throws Aborted.
 VTKCSLF_EXPORT ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
   const ShapeGroupSettings& settings, const Progress& progress);
 }
