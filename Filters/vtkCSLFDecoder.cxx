@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -45,34 +46,33 @@ constexpr double CheckedProgress = 0.1;
 class vtkCSLFDecoder::Internals
 {
 public:
-  std::shared_ptr<cslf::FieldReader> Reader;
-  std::weak_ptr<cslf::FieldStore> Store; ///< of the reader, while somebody uses it
+  std::optional<cslf::FieldView> View;   ///< of the file that is open
+  std::weak_ptr<cslf::FieldStore> Store; ///< of the view, while somebody uses it
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field;                               ///< of every output
   std::vector<std::int64_t> TrackBytes;                     ///< empty until requested
   std::vector<vtkSmartPointer<vtkUnsignedCharArray>> Parts; ///< null until requested
-  std::vector<int> Unwritten; ///< viewpoints that the file does not contain yet
-  std::vector<int> Damage;    ///< the file's missing viewpoints, after the first was found
+  std::vector<int> Damage; ///< the file's missing viewpoints, after the first was found
 
   /// Those of the last update. Never changed, because callers keep it.
   vtkSmartPointer<vtkIdTypeArray> Missing = vtkSmartPointer<vtkIdTypeArray>::New();
 
-  void SetReader(std::unique_ptr<cslf::FieldReader> reader)
+  void SetFile(std::shared_ptr<cslf::FieldReader> file)
   {
-    this->Reader = std::move(reader);
+    this->View.reset();
     this->Store.reset();
     this->Parts.clear();
     this->Description.clear();
     this->PixelFormat.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
-    this->Unwritten.clear();
     this->Damage.clear();
-    if (this->Reader)
+    if (file)
     {
-      const cslf::FileHeader& header = this->Reader->GetHeader();
-      this->Unwritten = header.GetMissingSlices();
+      constexpr int time = 0;
+      this->View.emplace(std::move(file), time);
+      const cslf::FileHeader& header = this->View->GetHeader();
       this->Parts.resize(header.Parts.size());
       header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
@@ -85,18 +85,18 @@ public:
   /// The part with the geometry, or null.
   const cslf::FilePart* FindGeometry() const
   {
-    return this->Reader ? this->Reader->GetHeader().FindGeometry() : nullptr;
+    return this->View ? this->View->GetHeader().FindGeometry() : nullptr;
   }
 
   bool HasViewpoint(vtkIdType z) const
   {
-    return this->Reader && z >= 0 && z < this->Reader->GetHeader().Field.Grid.GetSlices();
+    return this->View && z >= 0 && z < this->View->GetHeader().Field.Grid.GetSlices();
   }
 
   /// The extent of the whole field except z.
   void GetExtent(vtkIdType first, vtkIdType last, int extent[6]) const
   {
-    this->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
+    this->View->GetHeader().Field.Grid.GetWholeExtent(extent);
     extent[4] = static_cast<int>(first);
     extent[5] = static_cast<int>(last);
   }
@@ -144,8 +144,8 @@ const char* vtkCSLFDecoder::GetDescription() const
 
 const char* vtkCSLFDecoder::GetCodecName() const
 {
-  const auto& reader = this->Internal->Reader;
-  return reader ? cslf::NameOfCodec(reader->GetHeader().Tracks.front().Kind.Coding) : "";
+  const auto& view = this->Internal->View;
+  return view ? cslf::NameOfCodec(view->GetHeader().Tracks.front().Kind.Coding) : "";
 }
 
 const char* vtkCSLFDecoder::GetPixelFormat() const
@@ -155,34 +155,34 @@ const char* vtkCSLFDecoder::GetPixelFormat() const
 
 int vtkCSLFDecoder::GetNumberOfTracks() const
 {
-  const auto& reader = this->Internal->Reader;
-  return reader ? static_cast<int>(reader->GetHeader().Tracks.size()) : 0;
+  const auto& view = this->Internal->View;
+  return view ? static_cast<int>(view->GetHeader().Tracks.size()) : 0;
 }
 
 const char* vtkCSLFDecoder::GetTrackName(int track) const
 {
   return track >= 0 && track < this->GetNumberOfTracks()
-    ? cslf::NameOfRole(this->Internal->Reader->GetHeader().Tracks[track].Kind.Role)
+    ? cslf::NameOfRole(this->Internal->View->GetHeader().Tracks[track].Kind.Role)
     : nullptr;
 }
 
 int vtkCSLFDecoder::GetNumberOfParts() const
 {
-  const auto& reader = this->Internal->Reader;
-  return reader ? static_cast<int>(reader->GetHeader().Parts.size()) : 0;
+  const auto& view = this->Internal->View;
+  return view ? static_cast<int>(view->GetHeader().Parts.size()) : 0;
 }
 
 const char* vtkCSLFDecoder::GetPartType(int part) const
 {
   return part >= 0 && part < this->GetNumberOfParts()
-    ? this->Internal->Reader->GetHeader().Parts[part].Type.c_str()
+    ? this->Internal->View->GetHeader().Parts[part].Type.c_str()
     : nullptr;
 }
 
 const char* vtkCSLFDecoder::GetPartName(int part) const
 {
   return part >= 0 && part < this->GetNumberOfParts()
-    ? this->Internal->Reader->GetHeader().Parts[part].Name.c_str()
+    ? this->Internal->View->GetHeader().Parts[part].Name.c_str()
     : nullptr;
 }
 
@@ -205,7 +205,7 @@ vtkUnsignedCharArray* vtkCSLFDecoder::GetPart(int part)
   vtkSmartPointer<vtkUnsignedCharArray>& array = this->Internal->Parts[part];
   if (!array)
   {
-    const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
+    const auto& bytes = this->Internal->View->GetHeader().Parts[part].Bytes;
     array = vtkSmartPointer<vtkUnsignedCharArray>::New();
     array->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
     std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
@@ -224,7 +224,7 @@ vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
     const bool isCounted = this->Guard(
       [this]
       {
-        this->Internal->TrackBytes = this->Internal->Reader->CountBytes();
+        this->Internal->TrackBytes = this->Internal->View->GetFile().CountBytes();
         return true;
       });
     if (!isCounted)
@@ -265,7 +265,7 @@ int vtkCSLFDecoder::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->Internal->SetReader(nullptr);
+  this->Internal->SetFile(nullptr);
   this->Internal->SetMissing({});
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   cslf::LendStore(outInfo, [this] { return this->GetStore(); });
@@ -280,9 +280,9 @@ int vtkCSLFDecoder::RequestInformation(
     return 0;
   }
   int extent[6];
-  this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
+  this->Internal->View->GetHeader().Field.Grid.GetWholeExtent(extent);
   cslf::SetFieldInformation(outInfo, extent);
-  const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
+  const cslf::Description& field = this->Internal->View->GetHeader().Field;
   vtkDataObject::SetPointDataActiveScalarInfo(
     outInfo, field.FindChannel(cslf::KnownChannel::Color)->Type, 4);
   return 1;
@@ -315,7 +315,7 @@ int vtkCSLFDecoder::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->Internal->Reader)
+  if (!this->Internal->View)
   {
     return 0;
   }
@@ -341,7 +341,7 @@ void vtkCSLFDecoder::ReadGeometry(vtkPolyData* output)
     [&]
     {
       geometry =
-        cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+        cslf::DecodeGeometry(part->Bytes, this->Internal->View->GetHeader().Field.Box, error);
       return true;
     },
     problem);
@@ -383,7 +383,7 @@ int vtkCSLFDecoder::ReadField(vtkInformationVector* outputVector)
 
 void vtkCSLFDecoder::WarnOfHeader()
 {
-  const std::string all = cslf::Join(this->Internal->Reader->GetHeader().Warnings, "; ");
+  const std::string all = cslf::Join(this->Internal->View->GetHeader().Warnings, "; ");
   if (!all.empty())
   {
     vtkWarningMacro(<< this->FileName << " can be read, but " << all << ".");
@@ -393,13 +393,13 @@ void vtkCSLFDecoder::WarnOfHeader()
 bool vtkCSLFDecoder::OpenFile()
 {
   cslf::OpenError failure;
-  this->Internal->SetReader(cslf::FieldReader::Open(this->FileName, failure));
-  if (!this->Internal->Reader)
+  this->Internal->SetFile(cslf::FieldReader::Open(this->FileName, failure));
+  if (!this->Internal->View)
   {
     return this->Fail(failure.Code, failure.Text);
   }
   this->WarnOfHeader();
-  this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
+  this->Internal->View->GetFile().GetViewpoints().SetSize(this->CacheSize);
   return true;
 }
 
@@ -407,7 +407,7 @@ bool vtkCSLFDecoder::OpenFile()
 bool vtkCSLFDecoder::CheckRange(int first, int last)
 {
   cslf::Phase phase(this, "Checking viewpoints", CheckedProgress);
-  this->Internal->SetMissing(this->Internal->Reader->FindMissing(
+  this->Internal->SetMissing(this->Internal->View->FindMissing(
     first, last, [&phase](double share) { return phase.Report(share); }));
   if (!this->ReportDamage())
   {
@@ -415,7 +415,7 @@ bool vtkCSLFDecoder::CheckRange(int first, int last)
   }
   const int count = last - first + 1;
   const vtkIdType there = count - this->GetNumberOfMissingViewpoints();
-  if (!cslf::AreEnough(this->Internal->Reader->GetHeader().Field, there, count))
+  if (!cslf::AreEnough(this->Internal->View->GetHeader().Field, there, count))
   {
     std::ostringstream text;
     text << "only " << there << " of the " << count << " requested viewpoints can be read";
@@ -430,11 +430,11 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
   {
     return;
   }
-  cslf::AllocateSlices(this->Internal->Reader->GetHeader().Field, first, last, output);
+  cslf::AllocateSlices(this->Internal->View->GetHeader().Field, first, last, output);
   output->GetFieldData()->PassData(this->Internal->Field);
   cslf::Phase phase(this, "Decoding viewpoints");
-  this->Internal->SetMissing(this->Internal->Reader->Read(first, last,
-    cslf::ViewpointSamples(output), [&phase](double share) { return phase.Report(share); }));
+  this->Internal->SetMissing(this->Internal->View->Read(first, last, cslf::ViewpointSamples(output),
+    [&phase](double share) { return phase.Report(share); }));
   cslf::SetMissing(this->Internal->Missing, output);
 }
 
@@ -453,49 +453,31 @@ bool vtkCSLFDecoder::ReportDamage()
 bool vtkCSLFDecoder::ReportFileDamage(const std::function<bool(double)>& progress)
 {
   const std::size_t known = this->Internal->Damage.size();
-  const std::vector<int> missing = this->Internal->Reader->FindMissing(progress);
+  const std::vector<int> missing = this->Internal->View->FindMissing(progress);
   if (cslf::IsAborted(this))
   {
     return false;
   }
   this->Internal->Damage = missing;
-  const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
-  std::ostringstream text;
-  if (missing.size() == static_cast<std::size_t>(slices))
+  const auto [state, text] = this->Internal->View->DescribeMissing(missing, this->AllowMissing);
+  if (state.empty())
   {
-    text << (this->Internal->Reader->HasFileChanged()
-                ? "it was changed while it was open: none of the "
-                : "its video is damaged or truncated: none of the ")
-         << slices << " viewpoints can be read";
-    return this->Fail(vtkErrorCode::FileFormatError, text.str());
+    return this->Fail(vtkErrorCode::FileFormatError, text);
   }
-  const std::size_t unwritten = this->Internal->Unwritten.size();
-  const char* state = missing.size() <= unwritten ? "unfinished"
-    : this->Internal->Reader->HasFileChanged() ? "damaged, because it was changed while it was open"
-                                               : "damaged";
-  constexpr std::size_t named = 5;
-  text << missing.size() << " of " << slices << " viewpoints are missing";
-  text << (this->AllowMissing ? " and left empty" : "") << " (z = ";
-  for (std::size_t k = 0; k < std::min(missing.size(), named); ++k)
-  {
-    text << (k > 0 ? ", " : "") << missing[k];
-  }
-  text << (missing.size() > named ? ", ...)" : ")");
   if (!this->AllowMissing)
   {
-    return this->Fail(
-      vtkErrorCode::PrematureEndOfFileError, std::string("it is ") + state + ", " + text.str());
+    return this->Fail(vtkErrorCode::PrematureEndOfFileError, "it is " + state + ", " + text);
   }
   if (missing.size() > known)
   {
-    vtkWarningMacro(<< this->FileName << " is " << state << ": " << text.str() << ".");
+    vtkWarningMacro(<< this->FileName << " is " << state << ": " << text << ".");
   }
   return true;
 }
 
 bool vtkCSLFDecoder::IsUnfinished() const
 {
-  return !this->Internal->Unwritten.empty();
+  return this->Internal->View && !this->Internal->View->GetUnwritten().empty();
 }
 
 void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
@@ -503,7 +485,7 @@ void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
   viewpoints->Reset();
   if (this->UpdateReader())
   {
-    for (int slice : this->Internal->Unwritten)
+    for (int slice : this->Internal->View->GetUnwritten())
     {
       viewpoints->InsertNextValue(slice);
     }
@@ -513,7 +495,7 @@ void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
 bool vtkCSLFDecoder::UpdateReader()
 {
   this->UpdateInformation();
-  return this->Internal->Reader != nullptr;
+  return this->Internal->View.has_value();
 }
 
 vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
@@ -528,8 +510,8 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
     [this]
     {
       cslf::Phase phase(this, "Checking viewpoints");
-      this->Internal->SetMissing(this->Internal->Reader->FindMissing(
-        [&phase](double share) { return phase.Report(share); }));
+      this->Internal->SetMissing(
+        this->Internal->View->FindMissing([&phase](double share) { return phase.Report(share); }));
       return !cslf::IsAborted(this);
     });
   return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
@@ -539,9 +521,9 @@ void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
 {
   this->CacheSize =
     cslf::Clamp<vtkTypeInt64>(this, "CacheSize", bytes, 0, VTK_TYPE_INT64_MAX, this->CacheSize);
-  if (this->Internal->Reader)
+  if (this->Internal->View)
   {
-    this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
+    this->Internal->View->GetFile().GetViewpoints().SetSize(this->CacheSize);
   }
 }
 
@@ -569,7 +551,7 @@ std::optional<cslf::ViewpointSamples> vtkCSLFDecoder::Internals::GetViewpoint(
   self->Guard(
     [&]
     {
-      viewpoint = this->Reader->GetViewpoints().Get(static_cast<int>(z));
+      viewpoint = this->View->Get(static_cast<int>(z));
       return true;
     });
   return viewpoint;
@@ -614,7 +596,7 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   }
   if (viewpoint->IsEmpty())
   {
-    const std::vector<int>& unwritten = this->Internal->Unwritten;
+    const std::vector<int>& unwritten = this->Internal->View->GetUnwritten();
     const bool isUnwritten =
       std::binary_search(unwritten.begin(), unwritten.end(), static_cast<int>(z));
     this->SetErrorCode(vtkErrorCode::FileFormatError);
@@ -648,22 +630,21 @@ void vtkCSLFDecoder::Prefetch(vtkIdTypeArray* viewpoints)
   this->Guard(
     [&]
     {
-      this->Internal->Reader->GetViewpoints().Prefetch(slices);
+      this->Internal->View->Prefetch(slices);
       return true;
     });
 }
 
 bool vtkCSLFDecoder::IsViewpointReady(vtkIdType z)
 {
-  return this->Internal->HasViewpoint(z) &&
-    this->Internal->Reader->GetViewpoints().Has(static_cast<int>(z));
+  return this->Internal->HasViewpoint(z) && this->Internal->View->Has(static_cast<int>(z));
 }
 
 void vtkCSLFDecoder::WaitForPrefetch()
 {
-  if (this->Internal->Reader)
+  if (this->Internal->View)
   {
-    this->Internal->Reader->GetViewpoints().Wait();
+    this->Internal->View->GetFile().GetViewpoints().Wait();
   }
 }
 
@@ -672,7 +653,7 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
   viewpoints->Reset();
   if (this->UpdateReader())
   {
-    for (int slice : this->Internal->Reader->GetHeader().Slices)
+    for (int slice : this->Internal->View->GetOrder())
     {
       viewpoints->InsertNextValue(slice);
     }
@@ -685,15 +666,16 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
 std::shared_ptr<cslf::FieldStore> vtkCSLFDecoder::GetStore()
 {
   std::shared_ptr<cslf::FieldStore> store = this->Internal->Store.lock();
-  if (!store && this->Internal->Reader)
+  if (!store && this->Internal->View)
   {
     const vtkSmartPointer<vtkCSLFDecoder> self = this;
-    const auto reader = this->Internal->Reader;
+    const cslf::FieldReader* file = &this->Internal->View->GetFile();
     store = cslf::MakeStore(
-      reader, [self](const std::function<bool()>& work) { return self->Guard(work); },
-      [self, reader]
+      *this->Internal->View,
+      [self](const std::function<bool()>& work) { return self->Guard(work); },
+      [self, file]
       {
-        if (reader == self->Internal->Reader)
+        if (self->Internal->View && file == &self->Internal->View->GetFile())
         {
           self->RequireDamageAllowed();
         }

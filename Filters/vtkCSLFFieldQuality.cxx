@@ -29,6 +29,7 @@ struct Figure
 {
   std::string Name;
   std::string Channel;
+  int Layer = 0;
   int FirstComponent = 0;
   int Components = 1;
   bool WhereCovered = false;
@@ -88,13 +89,15 @@ std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Desc
     figure.Name = figure.Channel = channel.Name;
     figure.Components = channel.Components;
     figure.Peak = PeakOf(channel.Type);
-    const bool isColor = channel.Name == cslf::ColorName && channel.Components == 4;
+    const auto id = cslf::FindKnownChannel(channel.Name);
+    const bool isColor = id && id->Known == cslf::KnownChannel::Color && channel.Components == 4;
     figure.Components -= isColor ? 1 : 0;
-    figure.WhereCovered = channel.Name == cslf::DepthName;
+    figure.WhereCovered = id && id->Known == cslf::KnownChannel::Depth;
+    figure.Layer = id ? id->Layer : 0;
     figures.push_back(figure);
     if (isColor)
     {
-      figure.Name = "Coverage";
+      figure.Name = figure.Layer == 0 ? "Coverage" : "Coverage" + std::to_string(figure.Layer + 1);
       figure.FirstComponent = 3;
       figure.Components = 1;
       figures.push_back(figure);
@@ -132,7 +135,8 @@ std::vector<char> FindCounted(vtkImageData* images[2], const cslf::Slab& slab, c
   vtkDataArray* colors[2];
   for (int k = 0; k < 2; ++k)
   {
-    colors[k] = images[k]->GetPointData()->GetArray(cslf::ColorName);
+    colors[k] = images[k]->GetPointData()->GetArray(
+      cslf::NameOf({ cslf::KnownChannel::Color, figure.Layer }));
   }
   if (figure.WhereCovered && colors[0] && colors[1] && colors[0]->GetNumberOfComponents() == 4 &&
     colors[1]->GetNumberOfComponents() == 4)

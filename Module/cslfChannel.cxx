@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <vector>
 
 namespace cslf
 {
@@ -30,6 +31,11 @@ const ChannelForm* FindFirst(Condition condition)
   return found == std::end(Forms) ? nullptr : found;
 }
 
+const ChannelForm& FindFirstForm(KnownChannel known)
+{
+  return *FindFirst([known](const ChannelForm& form) { return form.Id == known; });
+}
+
 const ChannelForm* FindEncoding(const Channel& channel)
 {
   return FindFirst([&](const ChannelForm& form) { return channel.Encoding == form.Encoding; });
@@ -43,36 +49,48 @@ int Channel::GetTexelBytes() const
 
 const ChannelForm* FindForm(const Channel& channel)
 {
+  const auto id = FindKnownChannel(channel.Name);
   return FindFirst(
     [&](const ChannelForm& form)
     {
-      return channel.Name == form.Name && channel.Type == form.Type &&
+      return id && id->Known == form.Id && channel.Type == form.Type &&
         channel.Components == form.Components && channel.Encoding == form.Encoding;
     });
 }
 
-Channel MakeChannel(KnownChannel id, int type)
+Channel MakeChannel(ChannelId id, int type)
 {
   const ChannelForm* form =
-    FindFirst([=](const ChannelForm& row) { return row.Id == id && row.Type == type; });
-  return form ? Channel{ form->Name, type, form->Components, form->Encoding }
+    FindFirst([=](const ChannelForm& row) { return row.Id == id.Known && row.Type == type; });
+  return form ? Channel{ NameOf(id), type, form->Components, form->Encoding }
               : Channel{ NameOf(id), type, 1, {} };
 }
 
-Channel MakeChannel(KnownChannel id)
+Channel MakeChannel(ChannelId id)
 {
-  return MakeChannel(id, FindFirst([id](const ChannelForm& form) { return form.Id == id; })->Type);
+  return MakeChannel(id, FindFirstForm(id.Known).Type);
 }
 
-const char* NameOf(KnownChannel id)
+const char* NameOf(ChannelId id)
 {
-  return FindFirst([id](const ChannelForm& form) { return form.Id == id; })->Name;
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all;
+    for (const ChannelId each : ChannelIds)
+    {
+      all.push_back(FindFirstForm(each.Known).Name +
+        (each.Layer > 0 ? std::to_string(each.Layer + 1) : std::string()));
+    }
+    return all;
+  }();
+  return names[id.GetPlace()].c_str();
 }
 
-std::optional<KnownChannel> FindKnownChannel(const std::string& name)
+std::optional<ChannelId> FindKnownChannel(const std::string& name)
 {
-  const ChannelForm* form = FindFirst([&](const ChannelForm& row) { return name == row.Name; });
-  return form ? std::make_optional(form->Id) : std::nullopt;
+  const auto found = std::find_if(
+    ChannelIds.begin(), ChannelIds.end(), [&](ChannelId id) { return name == NameOf(id); });
+  return found == ChannelIds.end() ? std::nullopt : std::make_optional(*found);
 }
 
 Reduction FindReduction(const Channel& channel)

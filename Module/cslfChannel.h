@@ -10,6 +10,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -41,7 +42,52 @@ enum class KnownChannel
 constexpr KnownChannel KnownChannels[] = { KnownChannel::Color, KnownChannel::Depth };
 constexpr std::size_t KnownChannelCount = std::size(KnownChannels);
 
-/// The names of their arrays.
+/// The largest number of layers into which a field is split along its rays.
+constexpr int MaximumLayers = 1;
+
+/// A known channel of a layer: what identifies samples in memory, in files and in textures. A
+/// channel alone is that of the first layer.
+struct ChannelId
+{
+  KnownChannel Known = KnownChannel::Color;
+  int Layer = 0;
+
+  constexpr ChannelId() = default;
+  constexpr ChannelId(KnownChannel known, int layer = 0)
+    : Known(known)
+    , Layer(layer)
+  {
+  }
+
+  /// Its place in ChannelIds.
+  constexpr std::size_t GetPlace() const
+  {
+    return static_cast<std::size_t>(this->Layer) * KnownChannelCount +
+      static_cast<std::size_t>(this->Known);
+  }
+
+  constexpr bool operator==(ChannelId other) const { return this->GetPlace() == other.GetPlace(); }
+  constexpr bool operator!=(ChannelId other) const { return !(*this == other); }
+  constexpr bool operator<(ChannelId other) const { return this->GetPlace() < other.GetPlace(); }
+};
+
+constexpr std::size_t ChannelIdCount = MaximumLayers * KnownChannelCount;
+
+constexpr std::array<ChannelId, ChannelIdCount> ListChannelIds()
+{
+  std::array<ChannelId, ChannelIdCount> ids{};
+  for (std::size_t place = 0; place < ids.size(); ++place)
+  {
+    ids[place] = { KnownChannels[place % KnownChannelCount],
+      static_cast<int>(place / KnownChannelCount) };
+  }
+  return ids;
+}
+
+/// The known channels of all layers, layer by layer, in the order of their tracks in a file.
+constexpr std::array<ChannelId, ChannelIdCount> ChannelIds = ListChannelIds();
+
+/// The names of the first layer's arrays. Those of another layer end with its number: `Color2`.
 constexpr const char* ColorName = "Color";
 constexpr const char* DepthName = "Depth";
 
@@ -99,13 +145,14 @@ struct ChannelForm
 const ChannelForm* FindForm(const Channel& channel);
 
 /// The channel with samples of a VTK type, which must be one that it can have.
-VTKCSLF_EXPORT Channel MakeChannel(KnownChannel id, int type);
+VTKCSLF_EXPORT Channel MakeChannel(ChannelId id, int type);
 
 /// The channel in the first of its forms in the table.
-VTKCSLF_EXPORT Channel MakeChannel(KnownChannel id);
+VTKCSLF_EXPORT Channel MakeChannel(ChannelId id);
 
-VTKCSLF_EXPORT const char* NameOf(KnownChannel id);
-std::optional<KnownChannel> FindKnownChannel(const std::string& name);
+/// The name of a known channel's array, and back.
+VTKCSLF_EXPORT const char* NameOf(ChannelId id);
+std::optional<ChannelId> FindKnownChannel(const std::string& name);
 
 /// How any channel is reduced, which follows from its encoding.
 Reduction FindReduction(const Channel& channel);

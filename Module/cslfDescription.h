@@ -74,7 +74,19 @@ struct VTKCSLF_EXPORT Description
   ///@{
   /// The channel of that name, or null.
   const Channel* FindChannel(const std::string& name) const;
-  const Channel* FindChannel(KnownChannel id) const { return this->FindChannel(NameOf(id)); }
+  const Channel* FindChannel(ChannelId id) const { return this->FindChannel(NameOf(id)); }
+  ///@}
+
+  ///@{
+  /// The times of the field, and its frames: all viewpoints of the first time, then those of the
+  /// next.
+  int CountTimes() const { return 1; }
+  int CountFrames() const { return this->CountTimes() * this->Grid.GetSlices(); }
+  FrameId GetFrame(int index) const
+  {
+    return { index % this->Grid.GetSlices(), index / this->Grid.GetSlices() };
+  }
+  int GetIndex(FrameId frame) const { return frame.Time * this->Grid.GetSlices() + frame.Slice; }
   ///@}
 
   /// Whether, according to the record, the colours of texels are those of the surfaces at their

@@ -41,6 +41,30 @@ struct Viewpoint
   int J = 0;
 };
 
+/// A viewpoint, by its slice, at one of the field's times: what a frame of a file contains. A slice
+/// alone is that of the first time.
+struct FrameId
+{
+  int Time = 0;
+  int Slice = 0;
+
+  constexpr FrameId() = default;
+  constexpr FrameId(int slice, int time = 0)
+    : Time(time)
+    , Slice(slice)
+  {
+  }
+
+  constexpr bool operator==(FrameId other) const
+  {
+    return this->Time == other.Time && this->Slice == other.Slice;
+  }
+  constexpr bool operator<(FrameId other) const
+  {
+    return this->Time < other.Time || (this->Time == other.Time && this->Slice < other.Slice);
+  }
+};
+
 /// Two neighbouring kept nodes around a coordinate, and the weight of the upper one in [0,1].
 struct NodeBracket
 {

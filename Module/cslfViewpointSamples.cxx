@@ -12,7 +12,7 @@ namespace cslf
 {
 ViewpointSamples::ViewpointSamples(vtkImageData* image)
 {
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     this->ArrayOf(id) = image->GetPointData()->GetArray(NameOf(id));
   }
@@ -47,7 +47,7 @@ void ViewpointSamples::AddTo(vtkImageData* image) const
   }
 }
 
-void* ViewpointSamples::GetMemory(KnownChannel id) const
+void* ViewpointSamples::GetMemory(ChannelId id) const
 {
   vtkDataArray* array = this->GetArray(id);
   return array ? array->GetVoidPointer(this->First * array->GetNumberOfComponents()) : nullptr;
@@ -55,7 +55,7 @@ void* ViewpointSamples::GetMemory(KnownChannel id) const
 
 void ViewpointSamples::CopyTo(const ViewpointSamples& target, std::size_t texels) const
 {
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (vtkDataArray* array = this->GetArray(id))
     {

@@ -21,9 +21,9 @@ class vtkImageData;
 
 namespace cslf
 {
-/// The samples of one viewpoint: a strip of 5 N x N texels of each known channel. The arrays may
-/// contain more viewpoints. Copies share them, so samples are changed only while nobody else reads
-/// them. Loops over texels use the pointers that Get returns.
+/// The samples of one viewpoint: a strip of 5 N x N texels of each known channel of each layer. The
+/// arrays may contain more viewpoints. Copies share them, so samples are changed only while nobody
+/// else reads them. Loops over texels use the pointers that Get returns.
 class VTKCSLF_EXPORT ViewpointSamples
 {
 public:
@@ -41,11 +41,8 @@ public:
 
   ///@{
   /// A channel's array, or null. The first one set becomes the active one of an image.
-  void SetArray(KnownChannel id, vtkDataArray* array) { this->ArrayOf(id) = array; }
-  vtkDataArray* GetArray(KnownChannel id) const
-  {
-    return this->Arrays[static_cast<std::size_t>(id)];
-  }
+  void SetArray(ChannelId id, vtkDataArray* array) { this->ArrayOf(id) = array; }
+  vtkDataArray* GetArray(ChannelId id) const { return this->Arrays[id.GetPlace()]; }
   void AddTo(vtkImageData* image) const;
   ///@}
 
@@ -53,11 +50,11 @@ public:
   vtkIdType GetFirst() const { return this->First; }
 
   /// The memory of a channel's samples, or null.
-  void* GetMemory(KnownChannel id) const;
+  void* GetMemory(ChannelId id) const;
 
   /// The samples of a channel, or null if it does not have that type.
   template <typename Value>
-  Value* Get(KnownChannel id) const
+  Value* Get(ChannelId id) const
   {
     vtkDataArray* array = this->GetArray(id);
     const bool fits = array && array->GetDataType() == vtkTypeTraits<Value>::VTKTypeID();
@@ -68,22 +65,19 @@ public:
   void CopyTo(const ViewpointSamples& target, std::size_t texels) const;
 
 private:
-  vtkSmartPointer<vtkDataArray>& ArrayOf(KnownChannel id)
-  {
-    return this->Arrays[static_cast<std::size_t>(id)];
-  }
+  vtkSmartPointer<vtkDataArray>& ArrayOf(ChannelId id) { return this->Arrays[id.GetPlace()]; }
 
-  std::array<vtkSmartPointer<vtkDataArray>, KnownChannelCount> Arrays;
+  std::array<vtkSmartPointer<vtkDataArray>, ChannelIdCount> Arrays;
   vtkIdType First = 0;
 };
 
-/// The colours of a viewpoint, bytes or floats. The samples must outlive this object.
+/// The colours of a layer of a viewpoint, bytes or floats. The samples must outlive this object.
 class VTKCSLF_EXPORT ColorTexels
 {
 public:
-  explicit ColorTexels(const ViewpointSamples& samples)
-    : Bytes(samples.Get<unsigned char>(KnownChannel::Color))
-    , Floats(samples.Get<float>(KnownChannel::Color))
+  explicit ColorTexels(const ViewpointSamples& samples, int layer = 0)
+    : Bytes(samples.Get<unsigned char>({ KnownChannel::Color, layer }))
+    , Floats(samples.Get<float>({ KnownChannel::Color, layer }))
   {
   }
 

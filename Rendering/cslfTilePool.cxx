@@ -141,7 +141,8 @@ bool TilePool::Allocate()
   {
     const ChannelForm& form = *FindForm(channel);
     const GLenum filter = form.Interpolate == Interpolation::Linear ? GL_LINEAR : GL_NEAREST;
-    this->TextureOf(form.Id) = CreateTexture(FormatOf(channel), filter, side, height, layers);
+    this->TextureOf(*FindKnownChannel(channel.Name)) =
+      CreateTexture(FormatOf(channel), filter, side, height, layers);
   }
   this->Bytes = this->CountBytes();
   this->ClearFirstLayer();
@@ -159,7 +160,7 @@ void TilePool::ClearFirstLayer()
   for (const Channel& channel : this->Field.Channels)
   {
     const Format& format = FormatOf(channel);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, this->TextureOf(FindForm(channel)->Id));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, this->TextureOf(*FindKnownChannel(channel.Name)));
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, height, 1, format.Components,
       format.Type, zeros.data());
   }
@@ -181,7 +182,7 @@ void TilePool::Upload(const ViewpointSamples& samples, int tile, int block, int 
   const int layer = this->GetFirstLayer(block) + slot / this->TilesPerLayer;
   for (const Channel& channel : this->Field.Channels)
   {
-    const KnownChannel id = FindForm(channel)->Id;
+    const ChannelId id = *FindKnownChannel(channel.Name);
     const Format& format = FormatOf(channel);
     vtkDataArray* array = samples.GetArray(id);
     const vtkIdType first = (samples.GetFirst() + tile * side) * array->GetNumberOfComponents();

@@ -46,7 +46,7 @@ public:
   std::int64_t GetBytes() const { return this->Bytes; }
 
   /// The texture of a channel, or 0 if the field does not have it.
-  Handle GetTexture(KnownChannel id) const { return this->Textures[static_cast<std::size_t>(id)]; }
+  Handle GetTexture(ChannelId id) const { return this->Textures[id.GetPlace()]; }
 
   /// The first layer of a block.
   int GetFirstLayer(int block) const { return 1 + block * this->LayersPerBlock; }
@@ -57,7 +57,7 @@ public:
   void EndUploads();
 
 private:
-  Handle& TextureOf(KnownChannel id) { return this->Textures[static_cast<std::size_t>(id)]; }
+  Handle& TextureOf(ChannelId id) { return this->Textures[id.GetPlace()]; }
   void SetField(const Description& field, int blocks);
   bool ChooseLayers(int slots);
   std::int64_t CountBytes() const;
@@ -70,7 +70,7 @@ private:
   int TilesPerLayer = 1;
   int LayersPerBlock = 0;
   std::int64_t Bytes = 0;
-  std::array<Handle, KnownChannelCount> Textures{};
+  std::array<Handle, ChannelIdCount> Textures{};
   int Alignment = 4;
   int RowLength = 0;
 };

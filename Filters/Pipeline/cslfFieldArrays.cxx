@@ -93,7 +93,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples
 ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples)
 {
   ViewpointSamples samples;
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (const Channel* channel = field.FindChannel(id))
     {
@@ -128,7 +128,7 @@ std::vector<ViewpointSamples> MakeBlankSamples(const Description& field, std::si
 void Clear(const Description& field, const ViewpointSamples& samples)
 {
   const std::size_t texels = field.Grid.GetStripTexels();
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (const Channel* channel = field.FindChannel(id))
     {

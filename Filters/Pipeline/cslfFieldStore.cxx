@@ -34,7 +34,7 @@ public:
   ViewpointSamples Get(int slice) override
   {
     const auto texels = static_cast<vtkIdType>(this->GetDescription().Grid.GetStripTexels());
-    for (const KnownChannel id : KnownChannels)
+    for (const ChannelId id : ChannelIds)
     {
       // Who made the arrays may have resized them since.
       vtkDataArray* array = this->Whole.GetArray(id);

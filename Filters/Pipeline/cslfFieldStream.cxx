@@ -30,6 +30,14 @@ constexpr double TexelBytesEstimate = 20.0;
 constexpr int SlabCount = 64;
 // How many slices a video is decoded ahead, if the reader keeps that many.
 constexpr std::size_t SlicesAhead = 512;
+
+/// What is the same at all times of a field.
+std::string DescribeShape(Description field)
+{
+  field.SceneBounds.reset();
+  field.Sampling = "{}";
+  return field.ToText();
+}
 }
 
 void SplitAlongZ(vtkInformation* information)
@@ -145,7 +153,7 @@ void FieldStream::ReadAhead(const Slab& slab)
   this->Store->Prefetch(soon);
 }
 
-bool FieldStream::Read(const Slab& slab)
+bool FieldStream::Read(const Slab& slab, int time)
 {
   if (this->Store && !this->Announced.empty())
   {
@@ -174,13 +182,16 @@ bool FieldStream::Read(const Slab& slab)
     return failToDeliver();
   }
   const std::string text = field->ToText();
-  if (!this->Text.empty() && this->Text != text)
+  const bool isSame =
+    time == this->Time ? text == this->Text : DescribeShape(*field) == DescribeShape(this->Field);
+  if (!this->Text.empty() && !isSame)
   {
     return this->Fail("The input's description changes between its parts.");
   }
   this->Image = ToAOS(image, slab.First, slab.Last);
   this->Field = *field;
   this->Text = text;
+  this->Time = time;
   return true;
 }
 

@@ -73,9 +73,10 @@ public:
   /// Announces the slabs that will be read, in this order, so that a video is decoded ahead.
   void Announce(const std::vector<Slab>& slabs);
 
-  /// Updates upstream to the slab and checks what it delivers. The first read fixes the
-  /// description; a later one that differs from it is an error.
-  bool Read(const Slab& slab);
+  /// Updates upstream to the slab at one of the field's times and checks what it delivers. The
+  /// first read fixes the description; a later one that differs from it is an error. Only bounds
+  /// and the record of sampling may be others at another time.
+  bool Read(const Slab& slab, int time = 0);
 
   /// At least the slab read last, as arrays that pointers can read.
   vtkImageData* GetImage() const { return this->Image; }
@@ -100,6 +101,7 @@ private:
   std::size_t Next = 0; ///< of the slabs announced
   Description Field;
   std::string Text; ///< the field's, after the first read
+  int Time = 0;     ///< that was read last
   vtkSmartPointer<vtkImageData> Image;
   std::string Error;
 };

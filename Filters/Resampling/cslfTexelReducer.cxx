@@ -88,11 +88,11 @@ CoveredTexels FindCovered(const Value* color, std::int64_t count)
   return covered;
 }
 
-/// Without colours, all texels count.
+/// Of a layer. Without colours, all texels count.
 CoveredTexels FindCovered(
-  const Description& field, vtkImageData* image, std::int64_t first, std::int64_t count)
+  const Description& field, int layer, vtkImageData* image, std::int64_t first, std::int64_t count)
 {
-  const Channel* color = field.FindChannel(KnownChannel::Color);
+  const Channel* color = field.FindChannel({ KnownChannel::Color, layer });
   if (!color || color->Components != 4)
   {
     return CoveredTexels(static_cast<std::size_t>(count), true);
@@ -261,13 +261,26 @@ void ReduceMinimum(const Squares& squares, Value fill, const CoveredTexels& cove
     });
 }
 
-/// A slice, and what is known about its texels.
+/// A layer of a slice, and what is known about its texels.
 struct Slice
 {
   Squares Texels;
   CoveredTexels Covered;
   std::optional<Surfaces> Seen; ///< of a field whose texels show one surface each
 };
+
+std::optional<KnownChannel> FindKnown(const Channel& channel)
+{
+  const auto id = FindKnownChannel(channel.Name);
+  return id ? std::make_optional(id->Known) : std::nullopt;
+}
+
+/// The layer of a channel; that of others is the first.
+int FindLayer(const Channel& channel)
+{
+  const auto id = FindKnownChannel(channel.Name);
+  return id ? id->Layer : 0;
+}
 
 template <typename Value>
 void ReduceChannel(const Slice& slice, const Channel& channel, const Value* input, Value* output)
@@ -277,7 +290,7 @@ void ReduceChannel(const Slice& slice, const Channel& channel, const Value* inpu
   switch (FindReduction(channel))
   {
     case Reduction::Minimum:
-      if (slice.Seen && channel.Name == DepthName)
+      if (slice.Seen && FindKnown(channel) == KnownChannel::Depth)
       {
         const auto fill = ToStored<Value>(FindFill(channel));
         std::transform(slice.Seen->Place.begin(), slice.Seen->Place.end(), output,
@@ -287,7 +300,7 @@ void ReduceChannel(const Slice& slice, const Channel& channel, const Value* inpu
       ReduceMinimum(squares, ToStored<Value>(FindFill(channel)), slice.Covered, input, output);
       return;
     case Reduction::Mean:
-      if (slice.Seen && channel.Name == ColorName)
+      if (slice.Seen && FindKnown(channel) == KnownChannel::Color)
       {
         ReduceColor(squares, slice.Seen->Own, input, output);
         return;
@@ -305,15 +318,15 @@ void ReduceChannel(const Slice& slice, const Channel& channel, const Value* inpu
 }
 
 /// Nothing unless the field has surface texels.
-std::optional<Surfaces> FindSurfaces(const Description& field, vtkImageData* image,
+std::optional<Surfaces> FindSurfaces(const Description& field, int layer, vtkImageData* image,
   std::int64_t first, const Squares& squares, const CoveredTexels& covered)
 {
-  const Channel* depth = field.FindChannel(KnownChannel::Depth);
-  if (!field.HasSurfaceTexels() || !depth || !field.FindChannel(KnownChannel::Color))
+  const Channel* depth = field.FindChannel({ KnownChannel::Depth, layer });
+  if (!field.HasSurfaceTexels() || !depth || !field.FindChannel({ KnownChannel::Color, layer }))
   {
     return std::nullopt;
   }
-  vtkDataArray* array = image->GetPointData()->GetArray(DepthName);
+  vtkDataArray* array = image->GetPointData()->GetArray(depth->Name.c_str());
   switch (depth->Type)
   {
     vtkTemplateMacro(return FindSurfaces(
@@ -339,10 +352,16 @@ void TexelReducer::Reduce(
   const std::int64_t from = (inputSlice - input->GetExtent()[4]) * count;
   const std::int64_t to =
     (outputSlice - output->GetExtent()[4]) * count / (std::int64_t(this->Divisor) * this->Divisor);
-  Slice slice{ squares, FindCovered(this->Input, input, from, count), std::nullopt };
-  slice.Seen = FindSurfaces(this->Input, input, from, squares, slice.Covered);
+  std::vector<Slice> layers;
+  for (int layer = 0; layer < MaximumLayers; ++layer)
+  {
+    layers.push_back({ squares, FindCovered(this->Input, layer, input, from, count), {} });
+    Slice& slice = layers.back();
+    slice.Seen = FindSurfaces(this->Input, layer, input, from, squares, slice.Covered);
+  }
   for (const Channel& channel : this->Input.Channels)
   {
+    const Slice& slice = layers[FindLayer(channel)];
     const char* name = channel.Name.c_str();
     const void* source =
       input->GetPointData()->GetArray(name)->GetVoidPointer(channel.Components * from);

@@ -280,8 +280,26 @@ void TestColor()
 }
 }
 
+namespace
+{
+/// Frames are all slices of the first time, then those of the next.
+void TestFrames()
+{
+  const cslf::Description description = MakeDescription();
+  CSLF_CHECK(description.CountFrames() == description.CountTimes() * description.Grid.GetSlices());
+  for (int index = 0; index < description.CountFrames(); ++index)
+  {
+    const cslf::FrameId frame = description.GetFrame(index);
+    CSLF_CHECK(description.GetIndex(frame) == index);
+    CSLF_CHECK(index == 0 || description.GetFrame(index - 1) < frame);
+  }
+  CSLF_CHECK(cslf::FrameId(7) == cslf::FrameId(7, 0) && cslf::FrameId(9) < cslf::FrameId(0, 1));
+}
+}
+
 int TestCSLFDescription(int, char*[])
 {
+  TestFrames();
   TestRoundTrip();
   TestMisfits();
   TestShortArray();

@@ -405,7 +405,7 @@ void TestAlone(const std::string& folder)
                      grid, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT),
     MakeColoredSurfaces(2.0, 2.0), folder + "/alone.mp4" };
   const std::vector<glm::dvec4> exact = PutExactColors(file, grid);
-  const std::vector<int> tried = cslf::GetTriedViewpoints(grid);
+  const std::vector<cslf::FrameId> tried = cslf::GetTriedViewpoints(grid);
   const auto texels = static_cast<vtkIdType>(grid.GetStripTexels());
   for (int slice = 0; slice < grid.GetSlices(); ++slice)
   {

@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 
 #include <cstring>
+#include <set>
 #include <string>
 
 using cslf::KnownChannel;
@@ -71,10 +72,18 @@ void TestEmpty()
 
 void TestChannels()
 {
-  for (const KnownChannel id : cslf::KnownChannels)
+  std::set<std::string> names;
+  for (std::size_t place = 0; place < cslf::ChannelIds.size(); ++place)
   {
-    CSLF_CHECK(!std::string(cslf::NameOf(id)).empty());
+    const cslf::ChannelId id = cslf::ChannelIds[place];
+    CSLF_CHECK(id.GetPlace() == place && (place == 0 || cslf::ChannelIds[place - 1] < id));
+    CSLF_CHECK(cslf::MakeChannel(id).Name == cslf::NameOf(id));
+    CSLF_CHECK(names.insert(cslf::NameOf(id)).second);
   }
+  // A channel alone is that of the first layer.
+  CSLF_CHECK(cslf::ChannelId(KnownChannel::Depth).Layer == 0);
+  CSLF_CHECK(cslf::NameOf(KnownChannel::Color) == std::string(cslf::ColorName));
+  CSLF_CHECK(cslf::NameOf(KnownChannel::Depth) == std::string(cslf::DepthName));
   CSLF_CHECK(cslf::MakeChannel(KnownChannel::Color, VTK_FLOAT).GetTexelBytes() == 16);
   CSLF_CHECK(cslf::MakeChannel(KnownChannel::Depth, VTK_UNSIGNED_SHORT).GetTexelBytes() == 2);
   CSLF_CHECK(cslf::ToStored<unsigned short>(1.0) == 65535 && cslf::ToStored<float>(1.0) == 1.0F);

@@ -42,8 +42,12 @@ const PlaneRow& GetRow(Plane plane)
 
 std::string MakeName(const TrackRole& role)
 {
-  // Coverage is that of all channels.
-  std::string name = role.Part == Plane::Coverage ? "" : NameOf(role.Source);
+  if (role.Part == Plane::Coverage)
+  {
+    const int layer = role.Source.Layer;
+    return GetRow(role.Part).Suffix + (layer > 0 ? std::to_string(layer + 1) : std::string());
+  }
+  std::string name = NameOf(role.Source);
   std::transform(name.begin(), name.end(), name.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return name + GetRow(role.Part).Suffix;
@@ -55,7 +59,7 @@ const std::map<std::string, TrackRole>& GetRoles()
   static const std::map<std::string, TrackRole> roles = []
   {
     std::map<std::string, TrackRole> all;
-    for (const KnownChannel id : KnownChannels)
+    for (const ChannelId id : ChannelIds)
     {
       for (const bool isLossless : { false, true })
       {
@@ -71,7 +75,7 @@ const std::map<std::string, TrackRole>& GetRoles()
 }
 }
 
-SampleKind KindOf(KnownChannel id)
+SampleKind KindOf(ChannelId id)
 {
   return FindForm(MakeChannel(id))->Kind;
 }

@@ -27,10 +27,10 @@ enum class Plane
   LowByte   ///< the low byte
 };
 
-/// The contents of a track: a plane of a channel.
+/// The contents of a track: a plane of a channel of a layer.
 struct TrackRole
 {
-  KnownChannel Source = KnownChannel::Color;
+  ChannelId Source = KnownChannel::Color;
   Plane Part = Plane::Colors;
 
   bool operator==(const TrackRole& other) const
@@ -43,13 +43,23 @@ struct TrackRole
   }
 };
 
-/// The tracks that every reader and writer needs.
+/// The tracks of the first layer that every reader and writer needs.
 constexpr TrackRole ColorRole{ KnownChannel::Color, Plane::Colors };
 constexpr TrackRole CoverageRole{ KnownChannel::Color, Plane::Coverage };
 constexpr TrackRole DepthRole{ KnownChannel::Depth, Plane::Numbers };
 
+/// The same tracks of any layer. Coverage is that of all channels of its layer.
+constexpr TrackRole ColorOf(int layer)
+{
+  return { { KnownChannel::Color, layer }, Plane::Colors };
+}
+constexpr TrackRole CoverageOf(int layer)
+{
+  return { { KnownChannel::Color, layer }, Plane::Coverage };
+}
+
 /// The kind of samples of a channel in its first form, which tells colours from numbers.
-SampleKind KindOf(KnownChannel id);
+SampleKind KindOf(ChannelId id);
 
 /// The planes in which a kind of samples is coded. Numbers are coded without loss as two bytes.
 std::vector<Plane> GetPlanes(SampleKind kind, bool isLossless);
@@ -92,7 +102,8 @@ constexpr AVRational FrameTime = { 1, FrameRate };
 /// The most frames of a closed group of pictures.
 constexpr int MaximumGroupLength = 16;
 
-/// The names in files: the channel's in lower case, and the plane's.
+/// The names in files: the channel's in lower case, with the number of a layer that is not the
+/// first, and the plane's.
 const char* NameOfRole(TrackRole role);
 std::optional<TrackRole> RoleOfName(const std::string& name);
 

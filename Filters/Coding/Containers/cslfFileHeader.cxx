@@ -68,7 +68,7 @@ JSON ToJSON(const CodedTrack& track)
     json[TransferKey] = CurveName;
     json[MuKey] = kind.Constants.Mu;
   }
-  if (kind.Role == CoverageRole)
+  if (kind.Role.Part == Plane::Coverage)
   {
     json[ToleranceKey] = kind.GetTolerance();
   }
@@ -134,7 +134,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
     throw TrackError(NameOfRole(role), "an unknown chroma location");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
-  if (role == CoverageRole)
+  if (role.Part == Plane::Coverage)
   {
     ToNumber(json, ToleranceKey, 0.0, track.Kind.Lossless ? 0.0 : 127.0);
     track.Kind.Constants.CoverageTolerance = ToInteger(json.at(ToleranceKey));
@@ -174,12 +174,19 @@ void ReadTracks(const JSON& json, FileHeader& header)
 }
 
 /// Whether a channel of numbers has either one track or one for each byte, if the field has it and
-/// readers do not compute it.
-bool FitsTracks(const FileHeader& header, KnownChannel id)
+/// readers do not compute it; and whether a colour has its track, and only then coverage.
+bool FitsTracks(const FileHeader& header, ChannelId id)
 {
   const auto has = [&](Plane plane) { return header.FindTrack({ id, plane }) != nullptr; };
+  const Channel* channel = header.Field.FindChannel(id);
+  if (KindOf(id) != SampleKind::Number16)
+  {
+    const Track* colors = header.FindTrack({ id, Plane::Colors });
+    return channel ? colors && colors->IsRadiance == (channel->Type == VTK_FLOAT)
+                   : !colors && !has(Plane::Coverage);
+  }
   const bool hasByte = has(Plane::HighByte) || has(Plane::LowByte);
-  if (!header.Field.FindChannel(id) || (id == KnownChannel::Depth && header.Computed.HasDepth))
+  if (!channel || (id == KnownChannel::Depth && header.Computed.HasDepth))
   {
     return !has(Plane::Numbers) && !hasByte;
   }
@@ -188,12 +195,11 @@ bool FitsTracks(const FileHeader& header, KnownChannel id)
 
 void CheckTracks(const FileHeader& header)
 {
-  const bool fits = std::all_of(std::begin(KnownChannels), std::end(KnownChannels),
-    [&](KnownChannel id) { return KindOf(id) != SampleKind::Number16 || FitsTracks(header, id); });
+  const bool fits = std::all_of(
+    ChannelIds.begin(), ChannelIds.end(), [&](ChannelId id) { return FitsTracks(header, id); });
   const bool hasTwoCoverages = header.Computed.HasCoverage && header.FindTrack(CoverageRole);
-  const bool isFloat = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
   if (header.Tracks.empty() || !(header.Tracks.front().Kind.Role == ColorRole) || !fits ||
-    hasTwoCoverages || header.Tracks.front().Kind.IsRadiance != isFloat)
+    hasTwoCoverages)
   {
     throw std::invalid_argument("its tracks do not match its channels");
   }
@@ -278,14 +284,20 @@ std::vector<int> ToMissing(const JSON& json, int count)
   return numbers;
 }
 
-std::vector<int> ToSlices(const JSON& json, int count)
+/// The frames of a field, each once, or nothing.
+std::vector<FrameId> ToFrames(const JSON& json, const Description& field)
 {
   std::vector<SliceRun> runs;
   for (const JSON& item : RequireArray(json))
   {
     runs.push_back({ ToInteger(item.at(0)), ToInteger(item.at(1)), ToInteger(item.at(2)) });
   }
-  return FromRuns(runs, count);
+  std::vector<FrameId> frames;
+  for (const int index : FromRuns(runs, field.CountFrames()))
+  {
+    frames.push_back(field.GetFrame(index));
+  }
+  return frames;
 }
 
 /// Keeps the channels that coded files can contain in the form that this version knows.
@@ -383,9 +395,9 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
     std::find(required.begin(), required.end(), JSON(GeometryFeature)) != required.end(), header);
   ReadTracks(coding.at("tracks"), header);
   CheckTracks(header);
-  const int slices = header.Field.Grid.GetSlices();
+  const int frames = header.Field.CountFrames();
   header.Groups = ToGroups(coding.at("groups"),
-    header.Computed.IsAll ? static_cast<std::size_t>(slices)
+    header.Computed.IsAll ? static_cast<std::size_t>(frames)
                           : header.Tracks.front().GroupCRCs.size());
   const std::size_t groups = header.Groups.size();
   const auto coded = static_cast<std::size_t>(header.GetCodedGroups());
@@ -396,7 +408,7 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   {
     track.GroupCRCs.resize(groups, 0);
   }
-  if (!equal || std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != slices)
+  if (!equal || std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != frames)
   {
     throw std::invalid_argument("its groups do not match the number of its viewpoints");
   }
@@ -404,13 +416,13 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   {
     header.Missing = ToMissing(coding.at(MissingKey), static_cast<int>(coded));
   }
-  header.Slices = ToSlices(coding.at("order"), slices);
-  if (header.Slices.empty())
+  header.Frames = ToFrames(coding.at("order"), header.Field);
+  if (header.Frames.empty())
   {
     throw std::invalid_argument("its frames do not contain each viewpoint exactly once");
   }
   header.Coarsest = ToInteger(coding.at("coarsest"));
-  if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > slices)
+  if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > frames)
   {
     throw std::invalid_argument("its timing is not valid");
   }
@@ -468,14 +480,19 @@ std::vector<int> FileHeader::GetGroupStarts() const
   return starts;
 }
 
-std::vector<int> FileHeader::GetMissingSlices() const
+std::vector<int> FileHeader::GetMissingSlices(int time) const
 {
   const std::vector<int> starts = this->GetGroupStarts();
   std::vector<int> slices;
   for (int group : this->Missing)
   {
-    const auto begin = this->Slices.begin();
-    slices.insert(slices.end(), begin + starts[group], begin + starts[group + 1]);
+    for (int place = starts[group]; place < starts[group + 1]; ++place)
+    {
+      if (this->Frames[place].Time == time)
+      {
+        slices.push_back(this->Frames[place].Slice);
+      }
+    }
   }
   std::sort(slices.begin(), slices.end());
   return slices;
@@ -504,7 +521,10 @@ HeaderTags FileHeader::ToTags() const
     tracks.push_back(ToJSON(track));
   }
   JSON order = JSON::array();
-  for (const SliceRun& run : ToRuns(this->Slices))
+  std::vector<int> indices;
+  std::transform(this->Frames.begin(), this->Frames.end(), std::back_inserter(indices),
+    [this](FrameId frame) { return this->Field.GetIndex(frame); });
+  for (const SliceRun& run : ToRuns(indices))
   {
     order.push_back({ run.Start, run.Step, run.Count });
   }

@@ -51,7 +51,7 @@ struct FileHeader
   Description Field;
   std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
   std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
-  std::vector<int> Slices;          ///< the slice of each frame
+  std::vector<FrameId> Frames;      ///< in coding order
   int Coarsest = 0;         ///< how many of the first frames belong to the coarsest nested grid
   std::vector<int> Groups;  ///< the number of frames of each group
   std::vector<int> Missing; ///< the groups that an unfinished file does not contain yet, ascending
@@ -70,8 +70,8 @@ struct FileHeader
     return this->Computed.IsAll ? 1 : static_cast<int>(this->Groups.size());
   }
 
-  /// The slices of the missing groups, ascending.
-  std::vector<int> GetMissingSlices() const;
+  /// The slices of a time that the missing groups contain, ascending.
+  std::vector<int> GetMissingSlices(int time) const;
 
   /// The track of that role, or null.
   const Track* FindTrack(TrackRole role) const;

@@ -213,19 +213,20 @@ std::size_t ByteOffset(bool high)
   return high == lowFirst ? 1 : 0;
 }
 
-/// The numbers of a channel, and their value where nothing is covered.
+/// The numbers of a channel of a layer, and their value where nothing is covered.
 struct FilledNumbers
 {
   unsigned short* Values;
   unsigned short Fill;
 };
 
-std::vector<FilledNumbers> FindNumbers(const ViewpointSamples& samples)
+std::vector<FilledNumbers> FindNumbers(const ViewpointSamples& samples, int layer)
 {
   std::vector<FilledNumbers> found;
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
-    if (auto* values = samples.Get<unsigned short>(id))
+    auto* values = id.Layer == layer ? samples.Get<unsigned short>(id) : nullptr;
+    if (values)
     {
       const Channel channel = MakeChannel(id, VTK_UNSIGNED_SHORT);
       found.push_back({ values, ToStored<unsigned short>(FindFill(channel)) });
@@ -297,7 +298,7 @@ void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
       return;
     case Plane::Coverage:
     {
-      const ColorTexels colors(samples);
+      const ColorTexels colors(samples, this->Kind.Role.Source.Layer);
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t& sample) { sample = colors.GetCoverage(texel); });
       if (HasChroma(this->Kind.Format))
@@ -321,7 +322,7 @@ void SliceToFrame::PutNumbers(const ViewpointSamples& samples, AVFrame* frame)
   {
     const std::size_t texels =
       static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
-    const ColorTexels colors(samples);
+    const ColorTexels colors(samples, this->Kind.Role.Source.Layer);
     this->Coverage.resize(texels);
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
@@ -413,11 +414,14 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
   return false;
 }
 
-void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples& samples)
+namespace
 {
-  auto* bytes = samples.Get<unsigned char>(KnownChannel::Color);
-  auto* floats = samples.Get<float>(KnownChannel::Color);
-  const std::vector<FilledNumbers> allNumbers = FindNumbers(samples);
+void JoinLayer(int resolution, int layer, const Track* coverage, const ViewpointSamples& samples)
+{
+  const ChannelId color(KnownChannel::Color, layer);
+  auto* bytes = samples.Get<unsigned char>(color);
+  auto* floats = samples.Get<float>(color);
+  const std::vector<FilledNumbers> allNumbers = FindNumbers(samples, layer);
   // Without coverage, any byte counts as full.
   const int tolerance = coverage ? coverage->GetTolerance() : floats ? 0 : 255;
   const int width = TileCount * resolution;
@@ -437,6 +441,19 @@ void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples&
       floats
         ? FillUncovered(numbers.Fill, width, floats + 4 * texel, numbers.Values + texel)
         : FillUncovered(numbers.Fill, width, bytes + ColorBytes * texel, numbers.Values + texel);
+    }
+  }
+}
+}
+
+void JoinChannels(int resolution, const std::function<const Track*(TrackRole)>& findTrack,
+  const ViewpointSamples& samples)
+{
+  for (int layer = 0; layer < MaximumLayers; ++layer)
+  {
+    if (samples.GetArray({ KnownChannel::Color, layer }))
+    {
+      JoinLayer(resolution, layer, findTrack(CoverageOf(layer)), samples);
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace cslf
@@ -70,11 +71,12 @@ private:
   std::vector<unsigned short> Curve; ///< the depth of each code, where depth has a curve
 };
 
-/// Combines the channels of a decoded slice. Coverage within 3/255 of none or full becomes none or
-/// full unless its track is lossless. Colour is clamped to coverage (floats: 0 where nothing is
-/// covered), and numbers are filled where nothing is covered. Without a coverage track the slice is
-/// covered everywhere.
-void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples& samples);
+/// Combines the channels of each layer of a decoded slice. `findTrack` gives the track of a role,
+/// or null. Coverage within its track's tolerance of none or full becomes none or full. Colour is
+/// clamped to coverage (floats: 0 where nothing is covered), and numbers are filled where nothing
+/// is covered. A layer without a coverage track is covered everywhere.
+void JoinChannels(int resolution, const std::function<const Track*(TrackRole)>& findTrack,
+  const ViewpointSamples& samples);
 }
 
 #endif

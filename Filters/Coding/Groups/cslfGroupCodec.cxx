@@ -303,12 +303,12 @@ bool SealGroup(const Bitstream& bitstream, std::size_t frames, CodedGroup& group
   return group.Frames.size() == frames && group.Frames.front().Index == 0;
 }
 
-bool IsCoveredFully(int resolution, const std::vector<ViewpointSamples>& slices)
+bool IsCoveredFully(int resolution, int layer, const std::vector<ViewpointSamples>& slices)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
   for (const ViewpointSamples& slice : slices)
   {
-    const ColorTexels colors(slice);
+    const ColorTexels colors(slice, layer);
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
       if (colors.GetCoverage(texel) != 255)
@@ -361,7 +361,8 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
     error = "the encoder did not give one packet for each frame";
     return false;
   }
-  group.CoveredFully = track.Role == CoverageRole && IsCoveredFully(resolution, slices);
+  group.CoveredFully = track.Role.Part == Plane::Coverage &&
+    IsCoveredFully(resolution, track.Role.Source.Layer, slices);
   return true;
 }
 }

@@ -11,9 +11,11 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <new>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace cslf
@@ -47,13 +49,14 @@ std::unique_ptr<GeometryTexels> ReadTexels(const FileHeader& header)
 }
 
 /// Slices that are asked for, and their destination.
-class FieldReader::Range
+class FieldView::Range
 {
 public:
-  Range(FieldReader& reader, int first, int last, const ViewpointSamples& begin)
-    : Decoder(reader.Decoder)
-    , Store(reader.Store)
-    , Field(reader.GetHeader().Field)
+  Range(const FieldView& view, int first, int last, const ViewpointSamples& begin)
+    : Decoder(view.GetFile().GetDecoder())
+    , Store(view.GetFile().GetViewpoints())
+    , Field(view.GetHeader().Field)
+    , Time(view.Time)
     , First(first)
     , Begin(begin)
     , Lacks(last - first + 1, 1)
@@ -68,11 +71,11 @@ public:
       {
         for (vtkIdType place = begin; place < end; ++place)
         {
-          const int slice = this->First + static_cast<int>(place);
-          const auto kept = this->Store.Find(slice);
+          const FrameId frame = this->GetFrame(place);
+          const auto kept = this->Store.Find(frame);
           if (kept && !kept->IsEmpty())
           {
-            kept->CopyTo(this->GetTarget(slice), this->Field.Grid.GetStripTexels());
+            kept->CopyTo(this->GetTarget(frame), this->Field.Grid.GetStripTexels());
             this->Lacks[place] = 0;
           }
         }
@@ -88,14 +91,14 @@ public:
     {
       if (this->Lacks[place])
       {
-        groups.insert(this->Store.GetGroup(this->First + static_cast<int>(place)));
+        groups.insert(this->Store.GetGroup(this->GetFrame(static_cast<vtkIdType>(place))));
         ++lacking;
       }
     }
     std::size_t all = 0;
     for (int group : groups)
     {
-      all += this->Decoder.GetSlices(group).size();
+      all += this->Decoder.GetFrames(group).size();
     }
     this->KeepsOthers = all - lacking <= this->Store.GetCapacity();
     return { groups.begin(), groups.end() };
@@ -113,11 +116,11 @@ public:
     const std::vector<bool> whole = this->Decoder.Decode(requests);
     for (std::size_t k = 0; k < groups.size(); ++k)
     {
-      for (int slice : this->Decoder.GetSlices(groups[k]))
+      for (const FrameId frame : this->Decoder.GetFrames(groups[k]))
       {
-        if (!whole[k] && this->IsLacking(slice))
+        if (!whole[k] && this->IsLacking(frame))
         {
-          missing.push_back(slice);
+          missing.push_back(frame.Slice);
         }
       }
       for (std::size_t i = 0; whole[k] && i < others[k].size(); ++i)
@@ -128,46 +131,53 @@ public:
   }
 
 private:
-  /// Slices of a group that were not asked for.
-  using Others = std::vector<std::pair<int, ViewpointSamples>>;
+  /// Frames of a group that were not asked for.
+  using Others = std::vector<std::pair<FrameId, ViewpointSamples>>;
 
   GroupRequest MakeRequest(int group, Others& others)
   {
     GroupRequest request;
     request.Group = group;
-    for (int slice : this->Decoder.GetSlices(group))
+    for (const FrameId frame : this->Decoder.GetFrames(group))
     {
       ViewpointSamples target;
-      if (this->IsLacking(slice))
+      if (this->IsLacking(frame))
       {
-        target = this->GetTarget(slice);
+        target = this->GetTarget(frame);
       }
-      else if (this->KeepsOthers && !this->Store.Find(slice))
+      else if (this->KeepsOthers && !this->Store.Find(frame))
       {
         target =
           MakeSamples(this->Field, static_cast<vtkIdType>(this->Field.Grid.GetStripTexels()));
-        others.emplace_back(slice, target);
+        others.emplace_back(frame, target);
       }
       request.Slices.push_back(target);
     }
     return request;
   }
 
-  bool IsLacking(int slice) const
+  FrameId GetFrame(vtkIdType place) const
   {
-    const int place = slice - this->First;
-    return place >= 0 && place < static_cast<int>(this->Lacks.size()) && this->Lacks[place] != 0;
+    return { this->First + static_cast<int>(place), this->Time };
   }
 
-  ViewpointSamples GetTarget(int slice) const
+  bool IsLacking(FrameId frame) const
+  {
+    const int place = frame.Slice - this->First;
+    return frame.Time == this->Time && place >= 0 && place < static_cast<int>(this->Lacks.size()) &&
+      this->Lacks[place] != 0;
+  }
+
+  ViewpointSamples GetTarget(FrameId frame) const
   {
     return this->Begin.At(
-      static_cast<vtkIdType>(slice - this->First) * this->Field.Grid.GetStripTexels());
+      static_cast<vtkIdType>(frame.Slice - this->First) * this->Field.Grid.GetStripTexels());
   }
 
   GroupDecoder& Decoder;
   ViewpointStore& Store;
   const Description& Field;
+  int Time;
   int First;
   ViewpointSamples Begin;
   std::vector<char> Lacks; ///< for each slice, whether it is still to be decoded
@@ -220,11 +230,26 @@ FieldReader::FieldReader(
 {
 }
 
-std::vector<int> FieldReader::Read(
-  int first, int last, const ViewpointSamples& target, const Progress& progress)
+FieldView::FieldView(std::shared_ptr<FieldReader> file, int time)
+  : File(std::move(file))
+  , Time(time)
+  , Unwritten(this->GetHeader().GetMissingSlices(time))
+{
+  for (const FrameId frame : this->GetHeader().Frames)
+  {
+    if (frame.Time == time)
+    {
+      this->Order.push_back(frame.Slice);
+    }
+  }
+}
+
+std::vector<int> FieldView::Read(
+  int first, int last, const ViewpointSamples& target, const Progress& progress) const
 {
   std::vector<int> missing;
-  if (!this->Store.WaitFor(first, last, [&progress] { return progress(0.0); }))
+  const auto goesOn = [&progress] { return progress(0.0); };
+  if (!this->File->GetViewpoints().WaitFor(this->Time, first, last, goesOn))
   {
     return missing;
   }
@@ -245,17 +270,17 @@ std::vector<int> FieldReader::Read(
   return missing;
 }
 
-std::vector<int> FieldReader::FindMissing(const Progress& progress)
+std::vector<int> FieldView::FindMissing(const Progress& progress) const
 {
   return this->FindMissing(0, this->GetHeader().Field.Grid.GetSlices() - 1, progress);
 }
 
-std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& progress)
+std::vector<int> FieldView::FindMissing(int first, int last, const Progress& progress) const
 {
   std::map<int, std::vector<int>> slicesOfGroups;
   for (int slice = first; slice <= last; ++slice)
   {
-    slicesOfGroups[this->Store.GetGroup(slice)].push_back(slice);
+    slicesOfGroups[this->File->GetViewpoints().GetGroup(this->GetFrame(slice))].push_back(slice);
   }
   std::vector<int> missing;
   const auto groups = static_cast<double>(slicesOfGroups.size());
@@ -266,7 +291,7 @@ std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& p
     {
       break;
     }
-    if (!this->Decoder.Check(group))
+    if (!this->File->GetDecoder().Check(group))
     {
       missing.insert(missing.end(), slices.begin(), slices.end());
     }
@@ -275,21 +300,55 @@ std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& p
   return missing;
 }
 
+FieldView::MissingText FieldView::DescribeMissing(
+  const std::vector<int>& missing, bool areLeftEmpty) const
+{
+  const std::size_t slices = this->Order.size();
+  const bool hasChanged = this->File->HasFileChanged();
+  std::ostringstream text;
+  if (missing.size() == slices)
+  {
+    text << (hasChanged ? "it was changed while it was open" : "its video is damaged or truncated")
+         << ": none of the " << slices << " viewpoints can be read";
+    return { {}, text.str() };
+  }
+  constexpr std::size_t named = 5;
+  text << missing.size() << " of " << slices << " viewpoints are missing"
+       << (areLeftEmpty ? " and left empty" : "") << " (z = ";
+  for (std::size_t k = 0; k < std::min(missing.size(), named); ++k)
+  {
+    text << (k > 0 ? ", " : "") << missing[k];
+  }
+  text << (missing.size() > named ? ", ...)" : ")");
+  const char* state = missing.size() <= this->Unwritten.size() ? "unfinished"
+    : hasChanged ? "damaged, because it was changed while it was open"
+                 : "damaged";
+  return { state, text.str() };
+}
+
+void FieldView::Prefetch(const std::vector<int>& slices) const
+{
+  std::vector<FrameId> frames;
+  std::transform(slices.begin(), slices.end(), std::back_inserter(frames),
+    [this](int slice) { return this->GetFrame(slice); });
+  this->File->GetViewpoints().Prefetch(frames);
+}
+
 namespace
 {
-class ReaderStore : public FieldStore
+class ViewStore : public FieldStore
 {
 public:
-  ReaderStore(std::shared_ptr<FieldReader> reader,
-    std::function<bool(const std::function<bool()>&)> guard, std::function<void()> onMissing)
-    : FieldStore(reader->GetHeader().Field, reader->GetHeader().GetMissingSlices())
-    , Reader(std::move(reader))
+  ViewStore(const FieldView& view, std::function<bool(const std::function<bool()>&)> guard,
+    std::function<void()> onMissing)
+    : FieldStore(view.GetHeader().Field, view.GetUnwritten())
+    , View(view)
     , Guard(std::move(guard))
     , OnMissing(std::move(onMissing))
-    , Ranks(this->GetDescription().Grid.GetSlices())
+    , Ranks(view.GetOrder().size())
   {
     int rank = 0;
-    for (const int slice : this->Reader->GetHeader().Slices)
+    for (const int slice : view.GetOrder())
     {
       this->Ranks[slice] = rank++;
     }
@@ -300,14 +359,14 @@ public:
     this->Guard(
       [&]
       {
-        this->Reader->GetViewpoints().Prefetch(slices);
+        this->View.Prefetch(slices);
         return true;
       });
   }
 
-  void Wait() override { this->Reader->GetViewpoints().Wait(); }
+  void Wait() override { this->View.GetFile().GetViewpoints().Wait(); }
 
-  bool IsReady(int slice) override { return this->Reader->GetViewpoints().Has(slice); }
+  bool IsReady(int slice) override { return this->View.Has(slice); }
 
   ViewpointSamples Get(int slice) override
   {
@@ -315,7 +374,7 @@ public:
     const bool isRead = this->Guard(
       [&]
       {
-        samples = this->Reader->GetViewpoints().Get(slice);
+        samples = this->View.Get(slice);
         return true;
       });
     if (isRead && samples.IsEmpty())
@@ -332,16 +391,16 @@ public:
   }
 
 private:
-  const std::shared_ptr<FieldReader> Reader;
+  const FieldView View;
   const std::function<bool(const std::function<bool()>&)> Guard;
   const std::function<void()> OnMissing;
   std::vector<int> Ranks; ///< of the slices, in the file
 };
 }
 
-std::shared_ptr<FieldStore> MakeStore(std::shared_ptr<FieldReader> reader,
+std::shared_ptr<FieldStore> MakeStore(const FieldView& view,
   std::function<bool(const std::function<bool()>& work)> guard, std::function<void()> onMissing)
 {
-  return std::make_shared<ReaderStore>(std::move(reader), std::move(guard), std::move(onMissing));
+  return std::make_shared<ViewStore>(view, std::move(guard), std::move(onMissing));
 }
 }

@@ -29,9 +29,9 @@ GroupDecoder::GroupDecoder(
   }
 }
 
-std::vector<int> GroupDecoder::GetSlices(int group) const
+std::vector<FrameId> GroupDecoder::GetFrames(int group) const
 {
-  const auto begin = this->GetHeader().Slices.begin();
+  const auto begin = this->GetHeader().Frames.begin();
   return { begin + this->GroupStarts[group], begin + this->GroupStarts[group + 1] };
 }
 
@@ -284,7 +284,9 @@ bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*
     }
   }
   const FileHeader& header = this->GetHeader();
-  JoinChannels(header.Field.Grid.GetResolution(), header.FindTrack(CoverageRole), slice);
+  JoinChannels(
+    header.Field.Grid.GetResolution(), [&header](TrackRole role) { return header.FindTrack(role); },
+    slice);
   return true;
 }
 
@@ -299,7 +301,7 @@ bool GroupDecoder::Compute(const GroupRequest& request, int place) const
   }
   DrawnTexels drawn(header.Field.Grid.GetStripTexels(), header.Computed.HasColor);
   if (!this->Texels->Draw(
-        header.Slices[this->GroupStarts[request.Group] + place], drawn, this->IsStopped))
+        header.Frames[this->GroupStarts[request.Group] + place].Slice, drawn, this->IsStopped))
   {
     return false;
   }

@@ -37,8 +37,8 @@ public:
   const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
   int GetNumberOfGroups() const { return static_cast<int>(this->GetHeader().Groups.size()); }
 
-  /// The slices of a group's frames.
-  std::vector<int> GetSlices(int group) const;
+  /// The frames of a group.
+  std::vector<FrameId> GetFrames(int group) const;
 
   /// Whether a group is undamaged, by its checksums. Reads the group unless this is known already.
   bool Check(int group);

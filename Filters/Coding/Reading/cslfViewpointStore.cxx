@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <unordered_set>
 #include <utility>
 
 namespace cslf
@@ -18,9 +17,9 @@ void ViewpointCache::SetCapacity(std::size_t capacity)
   this->Shrink();
 }
 
-std::optional<ViewpointSamples> ViewpointCache::Find(int slice)
+std::optional<ViewpointSamples> ViewpointCache::Find(FrameId frame)
 {
-  const auto found = this->Places.find(slice);
+  const auto found = this->Places.find(frame);
   if (found == this->Places.end())
   {
     return std::nullopt;
@@ -29,15 +28,15 @@ std::optional<ViewpointSamples> ViewpointCache::Find(int slice)
   return found->second->Content;
 }
 
-void ViewpointCache::Insert(int slice, ViewpointSamples viewpoint)
+void ViewpointCache::Insert(FrameId frame, ViewpointSamples viewpoint)
 {
-  if (this->Find(slice))
+  if (this->Find(frame))
   {
     this->Entries.front().Content = std::move(viewpoint);
     return;
   }
-  this->Entries.push_front({ slice, std::move(viewpoint) });
-  this->Places[slice] = this->Entries.begin();
+  this->Entries.push_front({ frame, std::move(viewpoint) });
+  this->Places[frame] = this->Entries.begin();
   this->Shrink();
 }
 
@@ -45,7 +44,7 @@ void ViewpointCache::Shrink()
 {
   while (this->Entries.size() > this->Capacity)
   {
-    this->Places.erase(this->Entries.back().Slice);
+    this->Places.erase(this->Entries.back().Frame);
     this->Entries.pop_back();
   }
 }
@@ -58,15 +57,15 @@ constexpr std::chrono::milliseconds AskingInterval{ 50 };
 
 ViewpointStore::ViewpointStore(GroupDecoder& decoder)
   : Decoder(decoder)
-  , GroupOfSlice(decoder.GetHeader().Slices.size())
+  , GroupOfFrame(decoder.GetHeader().Frames.size())
   , Steps([this] { this->FetchNext(); })
 {
   const Description& field = decoder.GetHeader().Field;
   for (int group = 0; group < decoder.GetNumberOfGroups(); ++group)
   {
-    for (int slice : decoder.GetSlices(group))
+    for (const FrameId frame : decoder.GetFrames(group))
     {
-      this->GroupOfSlice[slice] = group;
+      this->GroupOfFrame[field.GetIndex(frame)] = group;
     }
   }
   this->ViewpointBytes = static_cast<std::uint64_t>(field.GetTexelBytes()) *
@@ -91,52 +90,51 @@ std::size_t ViewpointStore::GetCapacity()
   return this->Cache.GetCapacity();
 }
 
-bool ViewpointStore::Has(int slice)
+bool ViewpointStore::Has(FrameId frame)
 {
   this->Steps.PostAgain();
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Cache.Has(slice);
+  return this->Cache.Has(frame);
 }
 
-std::optional<ViewpointSamples> ViewpointStore::Find(int slice)
+std::optional<ViewpointSamples> ViewpointStore::Find(FrameId frame)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Cache.Find(slice);
+  return this->Cache.Find(frame);
 }
 
-ViewpointSamples ViewpointStore::Get(int slice)
+ViewpointSamples ViewpointStore::Get(FrameId frame)
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
-  this->Changed.wait(lock, [&] { return this->InProgress.count(slice) == 0; });
-  if (const auto kept = this->Cache.Find(slice))
+  this->Changed.wait(lock, [&] { return this->InProgress.count(frame) == 0; });
+  if (const auto kept = this->Cache.Find(frame))
   {
     return *kept;
   }
   for (Job& job : this->Pending)
   {
-    job.Slices.erase(std::remove(job.Slices.begin(), job.Slices.end(), slice), job.Slices.end());
+    job.Frames.erase(std::remove(job.Frames.begin(), job.Frames.end(), frame), job.Frames.end());
   }
   lock.unlock();
   constexpr bool alone = false;
-  ViewpointSamples viewpoint =
-    this->Decode({ this->GroupOfSlice[slice], { slice } }, alone).front();
+  ViewpointSamples viewpoint = this->Decode({ this->GetGroup(frame), { frame } }, alone).front();
   lock.lock();
-  this->Cache.Insert(slice, viewpoint);
+  this->Cache.Insert(frame, viewpoint);
   return viewpoint;
 }
 
-void ViewpointStore::Insert(int slice, ViewpointSamples viewpoint)
+void ViewpointStore::Insert(FrameId frame, ViewpointSamples viewpoint)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Cache.Insert(slice, std::move(viewpoint));
+  this->Cache.Insert(frame, std::move(viewpoint));
 }
 
-void ViewpointStore::Prefetch(const std::vector<int>& slices)
+void ViewpointStore::Prefetch(const std::vector<FrameId>& frames)
 {
   std::vector<Job> jobs;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    jobs = this->MakeJobs(slices);
+    jobs = this->MakeJobs(frames);
     this->Pending.assign(jobs.begin(), jobs.end());
   }
   this->Changed.notify_all();
@@ -146,15 +144,15 @@ void ViewpointStore::Prefetch(const std::vector<int>& slices)
   }
 }
 
-std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>& slices)
+std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<FrameId>& frames)
 {
   std::vector<Job> jobs;
   std::map<int, std::size_t> jobOfGroup;
-  std::unordered_set<int> seen;
-  std::vector<int> kept;
-  for (int slice : slices)
+  std::set<FrameId> seen;
+  std::vector<FrameId> kept;
+  for (const FrameId frame : frames)
   {
-    const int group = this->GroupOfSlice[slice];
+    const int group = this->GetGroup(frame);
     if (seen.size() == this->Cache.GetCapacity())
     {
       // A group begun here would have to be decoded again for the rest.
@@ -164,13 +162,13 @@ std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>
       }
       break;
     }
-    if (!seen.insert(slice).second || this->InProgress.count(slice) != 0)
+    if (!seen.insert(frame).second || this->InProgress.count(frame) != 0)
     {
       continue;
     }
-    if (this->Cache.Has(slice))
+    if (this->Cache.Has(frame))
     {
-      kept.push_back(slice);
+      kept.push_back(frame);
       continue;
     }
     const auto place = jobOfGroup.emplace(group, jobs.size());
@@ -178,14 +176,14 @@ std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>
     {
       jobs.push_back({ group, {} });
     }
-    jobs[place.first->second].Slices.push_back(slice);
+    jobs[place.first->second].Frames.push_back(frame);
   }
   // Viewpoints that are asked for first are dropped last.
-  std::for_each(kept.rbegin(), kept.rend(), [this](int slice) { this->Cache.Find(slice); });
+  std::for_each(kept.rbegin(), kept.rend(), [this](FrameId frame) { this->Cache.Find(frame); });
   return jobs;
 }
 
-/// Slices are in progress as long as this object exists, however their decoding ends.
+/// Frames are in progress as long as this object exists, however their decoding ends.
 class ViewpointStore::Progress
 {
 public:
@@ -197,9 +195,9 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(this->Store.Mutex);
-      for (int slice : this->Slices)
+      for (const FrameId frame : this->Frames)
       {
-        this->Store.InProgress.erase(slice);
+        this->Store.InProgress.erase(frame);
       }
     }
     this->Store.Changed.notify_all();
@@ -208,16 +206,16 @@ public:
   Progress& operator=(const Progress&) = delete;
 
   /// The mutex must be locked.
-  void Begin(const std::vector<int>& slices)
+  void Begin(const std::vector<FrameId>& frames)
   {
-    std::set<int> added(slices.begin(), slices.end());
-    this->Slices = slices;
+    std::set<FrameId> added(frames.begin(), frames.end());
+    this->Frames = frames;
     this->Store.InProgress.merge(added);
   }
 
 private:
   ViewpointStore& Store;
-  std::vector<int> Slices;
+  std::vector<FrameId> Frames;
 };
 
 void ViewpointStore::FetchNext()
@@ -232,24 +230,24 @@ void ViewpointStore::FetchNext()
     }
     job = std::move(this->Pending.front());
     this->Pending.pop_front();
-    const auto isKnown = [this](int slice)
-    { return this->Cache.Has(slice) || this->InProgress.count(slice) != 0; };
-    job.Slices.erase(
-      std::remove_if(job.Slices.begin(), job.Slices.end(), isKnown), job.Slices.end());
-    progress.Begin(job.Slices);
+    const auto isKnown = [this](FrameId frame)
+    { return this->Cache.Has(frame) || this->InProgress.count(frame) != 0; };
+    job.Frames.erase(
+      std::remove_if(job.Frames.begin(), job.Frames.end(), isKnown), job.Frames.end());
+    progress.Begin(job.Frames);
   }
   constexpr bool alone = true;
   std::vector<ViewpointSamples> decoded = this->Decode(job, alone);
   for (std::size_t k = 0; k < decoded.size(); ++k)
   {
-    this->Insert(job.Slices[k], std::move(decoded[k]));
+    this->Insert(job.Frames[k], std::move(decoded[k]));
   }
 }
 
 std::vector<ViewpointSamples> ViewpointStore::Decode(const Job& job, bool alone)
 {
   std::vector<ViewpointSamples> viewpoints;
-  if (job.Slices.empty())
+  if (job.Frames.empty())
   {
     return viewpoints;
   }
@@ -257,19 +255,19 @@ std::vector<ViewpointSamples> ViewpointStore::Decode(const Job& job, bool alone)
   const auto packets = this->Decoder.Load(job.Group);
   if (!packets)
   {
-    viewpoints.resize(job.Slices.size());
+    viewpoints.resize(job.Frames.size());
     return viewpoints;
   }
   const Description& field = this->Decoder.GetHeader().Field;
-  const std::vector<int> frames = this->Decoder.GetSlices(job.Group);
+  const std::vector<FrameId> frames = this->Decoder.GetFrames(job.Group);
   GroupRequest request;
   request.Group = job.Group;
   request.Slices.resize(frames.size());
-  for (int slice : job.Slices)
+  for (const FrameId wanted : job.Frames)
   {
-    const auto frame = std::find(frames.begin(), frames.end(), slice) - frames.begin();
+    const auto place = std::find(frames.begin(), frames.end(), wanted) - frames.begin();
     viewpoints.push_back(MakeSamples(field, static_cast<vtkIdType>(field.Grid.GetStripTexels())));
-    request.Slices[frame] = viewpoints.back();
+    request.Slices[place] = viewpoints.back();
   }
   const bool isWhole = alone ? this->Decoder.DecodeAlone(request, *packets)
                              : this->Decoder.DecodeTracks(request, *packets);
@@ -283,12 +281,13 @@ void ViewpointStore::Wait()
   this->Changed.wait(lock, [this] { return this->Pending.empty() && this->InProgress.empty(); });
 }
 
-bool ViewpointStore::WaitFor(int first, int last, const std::function<bool()>& goesOn)
+bool ViewpointStore::WaitFor(int time, int first, int last, const std::function<bool()>& goesOn)
 {
   this->Steps.PostAgain();
-  const auto isAsked = [&](int slice) { return slice >= first && slice <= last; };
+  const auto isAsked = [&](FrameId frame)
+  { return frame.Time == time && frame.Slice >= first && frame.Slice <= last; };
   const auto touches = [&](const Job& job)
-  { return std::any_of(job.Slices.begin(), job.Slices.end(), isAsked); };
+  { return std::any_of(job.Frames.begin(), job.Frames.end(), isAsked); };
   const auto isDone = [&]
   {
     return std::none_of(this->Pending.begin(), this->Pending.end(), touches) &&

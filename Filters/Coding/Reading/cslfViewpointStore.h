@@ -18,15 +18,15 @@
 #include <deque>
 #include <functional>
 #include <list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <unordered_map>
 #include <vector>
 
 namespace cslf
 {
-/// Keeps the most recently used viewpoints, by slice. Only one thread may use it at a time.
+/// Keeps the most recently used viewpoints. Only one thread may use it at a time.
 class ViewpointCache
 {
 public:
@@ -34,17 +34,17 @@ public:
   void SetCapacity(std::size_t capacity);
   std::size_t GetCapacity() const { return this->Capacity; }
 
-  bool Has(int slice) const { return this->Places.count(slice) != 0; }
+  bool Has(FrameId frame) const { return this->Places.count(frame) != 0; }
 
   /// Nothing if it is not kept. A viewpoint that is found counts as used. A damaged one is empty.
-  std::optional<ViewpointSamples> Find(int slice);
+  std::optional<ViewpointSamples> Find(FrameId frame);
 
-  void Insert(int slice, ViewpointSamples viewpoint);
+  void Insert(FrameId frame, ViewpointSamples viewpoint);
 
 private:
   struct Entry
   {
-    int Slice = 0;
+    FrameId Frame;
     ViewpointSamples Content;
   };
 
@@ -52,7 +52,7 @@ private:
 
   std::size_t Capacity = 0;
   std::list<Entry> Entries; ///< the most recently used one comes first
-  std::unordered_map<int, std::list<Entry>::iterator> Places;
+  std::map<FrameId, std::list<Entry>::iterator> Places;
 };
 
 /// All methods may be called by several threads at once. Those that decode throw std::bad_alloc if
@@ -70,54 +70,57 @@ public:
   /// The number of viewpoints in that size.
   std::size_t GetCapacity();
 
-  /// The group that contains a slice.
-  int GetGroup(int slice) const { return this->GroupOfSlice[slice]; }
+  /// The group that contains a viewpoint.
+  int GetGroup(FrameId frame) const
+  {
+    return this->GroupOfFrame[this->Decoder.GetHeader().Field.GetIndex(frame)];
+  }
 
   /// Whether a viewpoint is kept.
-  bool Has(int slice);
+  bool Has(FrameId frame);
 
   /// A viewpoint that is kept, or nothing. It is empty if it is damaged.
-  std::optional<ViewpointSamples> Find(int slice);
+  std::optional<ViewpointSamples> Find(FrameId frame);
 
   /// A viewpoint, kept or decoded now. It is empty if it is damaged.
-  ViewpointSamples Get(int slice);
+  ViewpointSamples Get(FrameId frame);
 
-  void Insert(int slice, ViewpointSamples viewpoint);
+  void Insert(FrameId frame, ViewpointSamples viewpoint);
 
-  /// Decodes slices in the background, in this order but group by group. This replaces earlier
-  /// requests that have not begun. Slices at the end that do not fit in the budget are left out.
-  void Prefetch(const std::vector<int>& slices);
+  /// Decodes viewpoints in the background, in this order but group by group. This replaces earlier
+  /// requests that have not begun. Those at the end that do not fit in the budget are left out.
+  void Prefetch(const std::vector<FrameId>& frames);
 
-  /// Waits until all requested slices are decoded.
+  /// Waits until all requested viewpoints are decoded.
   void Wait();
 
-  /// Waits for the requested ones of these slices, and decodes them first. Calls `goesOn`
+  /// Waits for the requested ones of these slices of a time, and decodes them first. Calls `goesOn`
   /// regularly, and stops and returns false if that returns false.
-  bool WaitFor(int first, int last, const std::function<bool()>& goesOn);
+  bool WaitFor(int time, int first, int last, const std::function<bool()>& goesOn);
 
 private:
-  /// Slices of one group.
+  /// Frames of one group.
   struct Job
   {
     int Group = 0;
-    std::vector<int> Slices;
+    std::vector<FrameId> Frames;
   };
 
   class Progress;
 
-  std::vector<Job> MakeJobs(const std::vector<int>& slices);
+  std::vector<Job> MakeJobs(const std::vector<FrameId>& frames);
   void FetchNext();
   std::vector<ViewpointSamples> Decode(const Job& job, bool alone);
 
   GroupDecoder& Decoder;
-  std::vector<int> GroupOfSlice;
+  std::vector<int> GroupOfFrame; ///< by the field's index
   std::uint64_t ViewpointBytes = 0;
 
   std::mutex Mutex; ///< of all later members except the steps
   std::condition_variable Changed;
   ViewpointCache Cache;
   std::deque<Job> Pending;
-  std::set<int> InProgress; ///< slices
+  std::set<FrameId> InProgress;
   BackgroundSteps Steps;
 };
 }

@@ -81,12 +81,12 @@ bool EncodeProbe::BeginWriting(std::string& error)
     }
     else if (this->Settings.ComputesDepth())
     {
-      const std::vector<int> slices = GetTriedViewpoints(field.Grid);
-      if (!this->Input->Read(slices, error))
+      const std::vector<FrameId> frames = GetTriedViewpoints(field.Grid);
+      if (!this->Input->Read(frames, error))
       {
         return false;
       }
-      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Input->GetSlices(), GoOn);
+      this->Plan = GeometryPlan::Choose(part.Bytes, field, frames, this->Input->GetSlices(), GoOn);
     }
   }
   this->Writer->Begin(field, 0, this->Plan);
@@ -98,7 +98,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const std::clock_t begin = std::clock();
-  if (!this->Input->Read(this->Writer->GetSlices(groups), error))
+  if (!this->Input->Read(this->Writer->GetFrames(groups), error))
   {
     return false;
   }
@@ -118,7 +118,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
       ? CopySamples(this->Input->GetField(), this->Input->GetSlices())
       : this->Input->GetSlices();
     GeometryFit ignored;
-    this->Plan.Fit(this->Writer->GetSlices(groups), fitted, GoOn, ignored);
+    this->Plan.Fit(this->Writer->GetFrames(groups), fitted, GoOn, ignored);
   }
   std::vector<CodingTask> tasks;
   tasks.reserve(groups.size());

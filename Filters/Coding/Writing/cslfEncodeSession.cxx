@@ -294,7 +294,7 @@ bool EncodeSession::TryGeometry()
   {
     return true;
   }
-  const std::vector<int> slices = GetTriedViewpoints(field.Grid);
+  const std::vector<FrameId> frames = GetTriedViewpoints(field.Grid);
   Phase phase(this->Job.Reporter, "Comparing depth with the geometry", PlannedShare);
   const PipelineWatch watch(this->Job.Connection,
     [this, &phase](vtkAlgorithm* producer)
@@ -303,14 +303,14 @@ bool EncodeSession::TryGeometry()
       return this->ContinueIf(phase.ReportFor(producer, PullShare * share));
     });
   std::string error;
-  if (!this->Input->Read(slices, error))
+  if (!this->Input->Read(frames, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   const auto report = [this, &phase](double share)
   { return this->ContinueIf(phase.Report(PullShare + (1.0 - PullShare) * share)); };
   this->Plan =
-    GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Input->GetSlices(), report);
+    GeometryPlan::Choose(this->GeometryBytes, field, frames, this->Input->GetSlices(), report);
   return this->HasNoError();
 }
 
@@ -605,11 +605,11 @@ bool EncodeSession::GatherSlices(
   }
   if (this->Plan.TellsAll())
   {
-    slices = MakeBlankSamples(this->Input->GetField(), this->Writer->GetSlices(pulled).size());
+    slices = MakeBlankSamples(this->Input->GetField(), this->Writer->GetFrames(pulled).size());
     return true;
   }
   std::string error;
-  if (!this->Input->Read(this->Writer->GetSlices(pulled), error))
+  if (!this->Input->Read(this->Writer->GetFrames(pulled), error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
@@ -617,7 +617,7 @@ bool EncodeSession::GatherSlices(
   GeometryFit ignored;
   const auto progress = [this](double share)
   { return this->Peers.Serve() && this->ReportTasks(PullShare + (FitShare - PullShare) * share); };
-  if (!this->Plan.Fit(this->Writer->GetSlices(pulled), fresh, progress, ignored))
+  if (!this->Plan.Fit(this->Writer->GetFrames(pulled), fresh, progress, ignored))
   {
     return this->FailWriting(vtkErrorCode::UserError, Stopped);
   }
@@ -629,7 +629,7 @@ bool EncodeSession::GatherSlices(
       slices.insert(slices.end(), kept->begin(), kept->end());
       continue;
     }
-    const auto to = from + this->Writer->GetFrames(task.Group);
+    const auto to = from + this->Writer->CountFrames(task.Group);
     slices.insert(slices.end(), from, to);
     if (task.IsTrial)
     {

@@ -47,28 +47,36 @@ FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& sett
 {
 }
 
-std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
+std::vector<FrameId> FieldWriter::GetFrames(const std::vector<int>& groups) const
 {
   const std::vector<int> starts = this->Header.GetGroupStarts();
-  std::vector<int> slices;
+  std::vector<FrameId> frames;
   for (int group : groups)
   {
-    const auto begin = this->Header.Slices.begin();
-    slices.insert(slices.end(), begin + starts[group], begin + starts[group + 1]);
+    const auto begin = this->Header.Frames.begin();
+    frames.insert(frames.end(), begin + starts[group], begin + starts[group + 1]);
   }
-  return slices;
+  return frames;
 }
 
 void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const GeometryPlan& plan)
 {
-  FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
-  this->Header.Groups = std::move(order.Groups);
+  const FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
+  this->Header.Groups.clear();
+  this->Header.Frames.clear();
+  for (int time = 0; time < field.CountTimes(); ++time)
+  {
+    this->Header.Groups.insert(this->Header.Groups.end(), order.Groups.begin(), order.Groups.end());
+    for (const int slice : order.Slices)
+    {
+      this->Header.Frames.emplace_back(slice, time);
+    }
+  }
   this->Header.Coarsest = order.Coarsest;
-  this->Header.Slices = std::move(order.Slices);
   this->Costs.assign(this->Header.Groups.size(), GroupCost());
   this->Header.Field = field;
   this->Header.Field.Channels.clear();
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (const Channel* channel = field.FindChannel(id))
     {
@@ -122,7 +130,8 @@ RateField FieldWriter::GetRateField() const
   const Layout& grid = this->Header.Field.Grid;
   const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution();
   const auto begin = this->Header.Groups.begin();
-  return { { begin, begin + this->GetGroupCount() }, texels, texels * grid.GetSlices(),
+  return { { begin, begin + this->GetGroupCount() }, texels,
+    texels * this->Header.Field.CountFrames(),
     [this](bool hasCoverage) { return this->GetContainerBytes(hasCoverage); } };
 }
 
@@ -304,14 +313,13 @@ bool FieldWriter::RecordPart(
 
 void FieldWriter::DropFullCoverage()
 {
-  for (std::size_t track = 0; track < this->States.size(); ++track)
+  for (std::size_t track = this->States.size(); track-- > 0;)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
-    if (role == CoverageRole && this->States[track].CoveredFully)
+    if (role.Part == Plane::Coverage && this->States[track].CoveredFully)
     {
       this->States.erase(this->States.begin() + static_cast<std::ptrdiff_t>(track));
       this->Header.Tracks.erase(this->Header.Tracks.begin() + static_cast<std::ptrdiff_t>(track));
-      return;
     }
   }
 }
@@ -331,7 +339,8 @@ double FieldWriter::GetWantedBytes() const
 {
   const RateTarget& target = this->Settings.Target;
   const Layout& grid = this->Header.Field.Grid;
-  const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
+  const double texels =
+    1.0 * grid.GetStripWidth() * grid.GetResolution() * this->Header.Field.CountFrames();
   switch (target.Kind)
   {
     case RateTarget::Kinds::Bytes:
@@ -356,7 +365,7 @@ double FieldWriter::GetMissingBytes() const
   double missing = 0.0;
   for (int group = 0; group < this->GetGroupCount(); ++group)
   {
-    (this->IsMissing(group) ? missing : frames) += this->GetFrames(group);
+    (this->IsMissing(group) ? missing : frames) += this->CountFrames(group);
   }
   return frames > 0.0 ? stored / frames * missing : 0.0;
 }

@@ -32,10 +32,10 @@ public:
   int GetGroupCount() const { return this->Header.GetCodedGroups(); }
 
   /// The number of frames of a group.
-  int GetFrames(int group) const { return this->Header.Groups[group]; }
+  int CountFrames(int group) const { return this->Header.Groups[group]; }
 
-  /// The slices of some groups in coding order.
-  std::vector<int> GetSlices(const std::vector<int>& groups) const;
+  /// The frames of some groups in coding order.
+  std::vector<FrameId> GetFrames(const std::vector<int>& groups) const;
 
   /// Fixes order and tracks. `field` has passed FindError; `checksum` stands for the field's
   /// samples. Groups are made to fit to the plan before they are coded.

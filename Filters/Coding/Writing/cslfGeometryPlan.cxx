@@ -32,17 +32,24 @@ bool IsCovered(const ViewpointSamples& samples, std::size_t texels)
   }
   return true;
 }
+
+/// Geometry tells about the first layer only.
+bool HasOneLayer(const Description& field)
+{
+  return std::none_of(ChannelIds.begin(), ChannelIds.end(),
+    [&field](ChannelId id) { return id.Layer > 0 && field.FindChannel(id); });
+}
 }
 
-std::vector<int> GetTriedViewpoints(const Layout& grid)
+std::vector<FrameId> GetTriedViewpoints(const Layout& grid)
 {
-  std::vector<int> slices;
+  std::vector<FrameId> frames;
   const int middle = grid.GetViewpoints() / 2;
   for (int face = 0; face < FaceCount; ++face)
   {
-    slices.push_back(grid.SliceOf({ face, middle, middle }));
+    frames.push_back(grid.SliceOf({ face, middle, middle }));
   }
-  return slices;
+  return frames;
 }
 
 GeometryPlan::GeometryPlan(
@@ -60,14 +67,14 @@ GeometryPlan::GeometryPlan(
     this->Computed = computed;
     this->Computed.HasColor = computed.HasColor && this->Texels->HasColors() &&
       field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
-    this->Computed.IsAll = computed.IsAll && this->Computed.HasColor;
+    this->Computed.IsAll = computed.IsAll && this->Computed.HasColor && HasOneLayer(field);
     this->Checksum =
       static_cast<std::uint32_t>(crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
   }
 }
 
 GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const Description& field,
-  const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+  const std::vector<FrameId>& frames, const std::vector<ViewpointSamples>& samples,
   const Progress& progress)
 {
   const std::size_t texels = field.Grid.GetStripTexels();
@@ -83,10 +90,10 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
     return plan;
   }
   GeometryFit fit;
-  const bool isDone = plan.Fit(slices, samples, progress, fit);
+  const bool isDone = plan.Fit(frames, samples, progress, fit);
   plan.Computed.HasColor =
     plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
-  plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll();
+  plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll() && HasOneLayer(field);
   // What is thinner than a texel has no texels that show it, though the geometry has it.
   const double most = plan.TellsAll() ? MaximumUsefulLoss : MaximumLoss;
   plan = isDone && fit.Texels > 0 && fit.GetLoss() <= most ? std::move(plan) : GeometryPlan();
@@ -94,11 +101,11 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   return plan;
 }
 
-bool GeometryPlan::Fit(const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
-  const Progress& progress, GeometryFit& fit) const
+bool GeometryPlan::Fit(const std::vector<FrameId>& frames,
+  const std::vector<ViewpointSamples>& samples, const Progress& progress, GeometryFit& fit) const
 {
   std::mutex mutex;
-  return ParallelFor(0, this->Texels ? static_cast<vtkIdType>(slices.size()) : 0, progress,
+  return ParallelFor(0, this->Texels ? static_cast<vtkIdType>(frames.size()) : 0, progress,
     [&](vtkIdType begin, vtkIdType end)
     {
       const std::atomic<bool> isStopped{ false };
@@ -106,7 +113,7 @@ bool GeometryPlan::Fit(const std::vector<int>& slices, const std::vector<Viewpoi
       DrawnTexels drawn(grid.GetStripTexels(), this->Computed.HasColor);
       for (vtkIdType k = begin; k < end; ++k)
       {
-        this->Texels->Draw(slices[k], drawn, isStopped);
+        this->Texels->Draw(frames[k].Slice, drawn, isStopped);
         const GeometryFit one =
           FitToGeometry(grid.GetResolution(), drawn, this->Computed.HasCoverage, samples[k]);
         const std::lock_guard<std::mutex> lock(mutex);

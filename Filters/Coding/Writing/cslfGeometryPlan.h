@@ -22,7 +22,7 @@
 namespace cslf
 {
 /// Some viewpoints that show how well a geometry fits: the middle one of each face.
-VTKCSLF_EXPORT std::vector<int> GetTriedViewpoints(const Layout& grid);
+VTKCSLF_EXPORT std::vector<FrameId> GetTriedViewpoints(const Layout& grid);
 
 class GeometryPlan
 {
@@ -44,7 +44,7 @@ public:
   /// Tries the geometry on some viewpoints, whose samples it changes, and computes what it tells
   /// well enough. Nothing is computed if `progress` returns false.
   static GeometryPlan Choose(const std::vector<unsigned char>& bytes, const Description& field,
-    const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+    const std::vector<FrameId>& frames, const std::vector<ViewpointSamples>& samples,
     const Progress& progress);
 
   const ComputedChannels& GetComputed() const { return this->Computed; }
@@ -63,7 +63,7 @@ public:
   std::uint32_t GetChecksum() const { return this->Checksum; }
 
   /// Makes viewpoints fit to what is computed, in parallel. False if `progress` returns false.
-  bool Fit(const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+  bool Fit(const std::vector<FrameId>& frames, const std::vector<ViewpointSamples>& samples,
     const Progress& progress, GeometryFit& fit) const;
 
 private:

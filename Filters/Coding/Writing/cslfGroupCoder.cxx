@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstddef>
 #include <future>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,18 +98,18 @@ double SumSquares(
   return sum;
 }
 
-/// Decodes colour like readers do, and sums the squared errors of red, green and blue over all
-/// texels, in units of 1/255. Colour has associated alpha, so this is the error over black. Without
-/// a track of coverage, colour has no meaning where the slices have no coverage. On failure returns
-/// false and gives the reason in one line.
-bool MeasureSquaredError(const TrackPart& color, const TrackPart* coverage, int resolution,
+/// Decodes the colour of a layer like readers do, and adds the squared errors of red, green and
+/// blue of all texels, in units of 1/255. Colour has associated alpha, so this is the error over
+/// black. Without a track of coverage, colour has no meaning where the slices have no coverage. On
+/// failure returns false and gives the reason in one line.
+bool AddSquaredError(const TrackPart& color, const TrackPart* coverage, int resolution,
   const std::vector<ViewpointSamples>& slices, double& sum, std::string& error)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  const ChannelId id = color.Kind.Role.Source;
   ViewpointSamples samples;
-  samples.SetArray(KnownChannel::Color,
-    MakeArray(MakeChannel(KnownChannel::Color, VTK_UNSIGNED_CHAR),
-      static_cast<vtkIdType>(texels * slices.size())));
+  samples.SetArray(id,
+    MakeArray(MakeChannel(id, VTK_UNSIGNED_CHAR), static_cast<vtkIdType>(texels * slices.size())));
   std::vector<ViewpointSamples> decoded(slices.size());
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
@@ -119,12 +120,13 @@ bool MeasureSquaredError(const TrackPart& color, const TrackPart* coverage, int 
     error = "what was coded cannot be decoded";
     return false;
   }
-  sum = 0.0;
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
-    JoinChannels(resolution, coverage ? &coverage->Kind : nullptr, decoded[k]);
-    sum += SumSquares(decoded[k].Get<unsigned char>(KnownChannel::Color),
-      slices[k].Get<unsigned char>(KnownChannel::Color), texels, coverage == nullptr);
+    JoinChannels(
+      resolution, [coverage](TrackRole) { return coverage ? &coverage->Kind : nullptr; },
+      decoded[k]);
+    sum += SumSquares(decoded[k].Get<unsigned char>(id), slices[k].Get<unsigned char>(id), texels,
+      coverage == nullptr);
   }
   return true;
 }
@@ -208,21 +210,21 @@ GroupCoder::GroupCoder(const EncodeSettings& settings, const Description& field,
   , Computed(std::move(computed))
 {
   const EncoderChoice choice = ChooseEncoder(settings, this->IsRadiance, this->Resolution);
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (const Channel* channel = field.FindChannel(id))
     {
-      this->AddTracks(*FindForm(*channel), choice);
+      this->AddTracks(id, *FindForm(*channel), choice);
     }
   }
 }
 
-void GroupCoder::AddTracks(const ChannelForm& form, const EncoderChoice& choice)
+void GroupCoder::AddTracks(ChannelId id, const ChannelForm& form, const EncoderChoice& choice)
 {
   for (const Plane plane : GetPlanes(form.Kind, this->Settings.Lossless))
   {
     Track track;
-    track.Role = { form.Id, plane };
+    track.Role = { id, plane };
     if (std::find(this->Computed.begin(), this->Computed.end(), track.Role) != this->Computed.end())
     {
       continue;
@@ -317,12 +319,23 @@ void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding,
 void GroupCoder::MeasureError(const Coding& coding, std::string& error) const
 {
   GroupParts& parts = *coding.Parts;
-  const auto found = std::find_if(this->Encodings.begin(), this->Encodings.end(),
-    [](const Encoding& encoding) { return encoding.Kind.Role == CoverageRole; });
-  const bool hasCoverage = found != this->Encodings.end();
-  const TrackPart coverage =
-    hasCoverage ? TrackPart{ found->Kind, &parts[found - this->Encodings.begin()] } : TrackPart();
-  MeasureSquaredError({ this->Encodings[0].Kind, &parts[0] }, hasCoverage ? &coverage : nullptr,
-    this->Resolution, coding.Frames, parts[0].SquaredError, error);
+  std::map<TrackRole, TrackPart> coded;
+  for (std::size_t track = 0; track < this->Encodings.size(); ++track)
+  {
+    const Track& kind = this->Encodings[track].Kind;
+    coded[kind.Role] = { kind, &parts[track] };
+  }
+  double sum = 0.0;
+  for (const auto& [role, color] : coded)
+  {
+    const auto coverage = coded.find(CoverageOf(role.Source.Layer));
+    if (role.Part == Plane::Colors &&
+      !AddSquaredError(color, coverage == coded.end() ? nullptr : &coverage->second,
+        this->Resolution, coding.Frames, sum, error))
+    {
+      return;
+    }
+  }
+  parts.front().SquaredError = sum;
 }
 }

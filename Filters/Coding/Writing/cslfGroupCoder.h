@@ -51,7 +51,7 @@ private:
     GroupParts* Parts;
   };
 
-  void AddTracks(const ChannelForm& form, const EncoderChoice& choice);
+  void AddTracks(ChannelId id, const ChannelForm& form, const EncoderChoice& choice);
   std::vector<Coding> Split(const std::vector<CodingTask>& tasks,
     const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;

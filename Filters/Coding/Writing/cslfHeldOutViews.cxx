@@ -288,11 +288,11 @@ bool MeasureView(ViewpointReader& input, const GeometryRays* surfaces, const Key
   const std::vector<int> around =
     FindSurroundings(field.Grid, viewpoint.Face, whole.Grid.NodeCoordinate(viewpoint.I),
       whole.Grid.NodeCoordinate(viewpoint.J), surfaces ? RingsWithGeometry : 0);
-  std::vector<int> slices;
-  std::transform(around.begin(), around.end(), std::back_inserter(slices),
-    [&keys](int slice) { return keys.ToWhole(slice); });
-  slices.push_back(view);
-  if (!input.Read(slices, error))
+  std::vector<FrameId> frames;
+  std::transform(around.begin(), around.end(), std::back_inserter(frames),
+    [&keys](int slice) { return FrameId(keys.ToWhole(slice)); });
+  frames.push_back(view);
+  if (!input.Read(frames, error))
   {
     return false;
   }

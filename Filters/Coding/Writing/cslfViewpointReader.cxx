@@ -60,7 +60,7 @@ bool ViewpointReader::Begin(std::string& error)
 std::uint32_t ViewpointReader::GetFirstChecksum() const
 {
   uLong checksum = 0;
-  for (const KnownChannel id : KnownChannels)
+  for (const ChannelId id : ChannelIds)
   {
     if (const Channel* channel = this->Input.GetDescription().FindChannel(id))
     {
@@ -71,39 +71,42 @@ std::uint32_t ViewpointReader::GetFirstChecksum() const
   return static_cast<std::uint32_t>(checksum);
 }
 
-bool ViewpointReader::Read(const std::vector<int>& slices, std::string& error)
+bool ViewpointReader::Read(const std::vector<FrameId>& frames, std::string& error)
 {
   this->Slices.clear();
   const auto texels = static_cast<vtkIdType>(this->Grid.GetStripTexels());
   const ViewpointSamples all =
-    MakeSamples(this->Input.GetDescription(), texels * static_cast<vtkIdType>(slices.size()));
-  for (std::size_t place = 0; place < slices.size(); ++place)
+    MakeSamples(this->Input.GetDescription(), texels * static_cast<vtkIdType>(frames.size()));
+  for (std::size_t place = 0; place < frames.size(); ++place)
   {
     this->Slices.push_back(all.At(texels * static_cast<vtkIdType>(place)));
   }
-  std::vector<std::pair<int, std::size_t>> sorted; // slice, place
-  for (std::size_t place = 0; place < slices.size(); ++place)
+  std::vector<std::pair<FrameId, std::size_t>> sorted; // frame of the input, place
+  for (std::size_t place = 0; place < frames.size(); ++place)
   {
-    sorted.emplace_back(this->Keys.ToWhole(slices[place]), place);
+    sorted.emplace_back(
+      FrameId(this->Keys.ToWhole(frames[place].Slice), frames[place].Time), place);
   }
   std::sort(sorted.begin(), sorted.end());
   this->Wanted = sorted.size();
   for (std::size_t begin = 0; begin < sorted.size();)
   {
     std::size_t end = begin + 1;
-    while (end < sorted.size() && sorted[end].first == sorted[end - 1].first + 1)
+    const auto isNext = [](FrameId frame, FrameId before)
+    { return frame == FrameId(before.Slice + 1, before.Time); };
+    while (end < sorted.size() && isNext(sorted[end].first, sorted[end - 1].first))
     {
       ++end;
     }
     this->Done = begin;
     this->Awaited = end - begin;
-    if (!this->ReadRange(sorted[begin].first, sorted[end - 1].first, error))
+    if (!this->ReadRange(sorted[begin].first, sorted[end - 1].first.Slice, error))
     {
       return false;
     }
     for (; begin < end; ++begin)
     {
-      this->Copy(sorted[begin].first, this->Slices[sorted[begin].second]);
+      this->Copy(sorted[begin].first.Slice, this->Slices[sorted[begin].second]);
     }
   }
   return true;
@@ -116,16 +119,17 @@ double ViewpointReader::GetShare(double ofInput) const
   return done / static_cast<double>(std::max<std::size_t>(this->Wanted, 1));
 }
 
-bool ViewpointReader::ReadRange(int first, int last, std::string& error)
+// Up to the slice `last` of the same time.
+bool ViewpointReader::ReadRange(FrameId first, int last, std::string& error)
 {
-  if (this->Input.Read({ first, last }))
+  if (this->Input.Read({ first.Slice, last }, first.Time))
   {
     return true;
   }
   error = this->Input.GetError();
   if (error.empty())
   {
-    error = "the input did not deliver the viewpoints " + std::to_string(first) + " to " +
+    error = "the input did not deliver the viewpoints " + std::to_string(first.Slice) + " to " +
       std::to_string(last);
     return false;
   }
@@ -141,9 +145,10 @@ void ViewpointReader::Copy(int slice, const ViewpointSamples& target)
   vtkImageData* image = this->Input.GetImage();
   const auto first = static_cast<vtkIdType>(texels * (slice - image->GetExtent()[4]));
   ViewpointSamples(image).At(first).CopyTo(target, texels);
-  if (const auto* color = target.Get<float>(KnownChannel::Color))
+  for (int layer = 0; layer < MaximumLayers; ++layer)
   {
-    for (std::size_t texel = 0; texel < texels; ++texel)
+    const auto* color = target.Get<float>({ KnownChannel::Color, layer });
+    for (std::size_t texel = 0; color && texel < texels; ++texel)
     {
       this->Clipped = this->Clipped || !IsCodable(color + 4 * texel);
     }

@@ -92,22 +92,22 @@ public:
   /// The CRC-32 of the first viewpoint, after Begin.
   std::uint32_t GetFirstChecksum() const;
 
-  /// Reads slices, in any order, in as few slabs as possible. On failure returns false and gives
+  /// Reads frames, in any order, in as few slabs as possible. On failure returns false and gives
   /// the reason in one line.
-  bool Read(const std::vector<int>& slices, std::string& error);
+  bool Read(const std::vector<FrameId>& frames, std::string& error);
 
   /// While Read waits for the input: the share of the slices that is there, if the input has made
   /// this share of what it was asked for.
   double GetShare(double ofInput) const;
 
-  /// The slices read last, in the requested order.
+  /// The frames read last, in the requested order.
   const std::vector<ViewpointSamples>& GetSlices() const { return this->Slices; }
 
   /// Whether a texel read so far has a float colour that a video cannot hold.
   bool HasClipped() const { return this->Clipped; }
 
 private:
-  bool ReadRange(int first, int last, std::string& error);
+  bool ReadRange(FrameId first, int last, std::string& error);
   void Copy(int slice, const ViewpointSamples& target);
 
   FieldStream Input;
