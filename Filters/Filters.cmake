@@ -82,8 +82,8 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/Groups GroupCodec)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
-    EncodeProbe EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCoder
-    HeldOutViews Part PartStore ViewpointReader)
+    EncodeProbe EncodeRanks EncodeSession EncodeSettings FileAssembler GeometryPlan GroupBytes
+    GroupCoder GroupStore HeldOutViews ViewpointReader)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.

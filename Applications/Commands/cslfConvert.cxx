@@ -69,7 +69,7 @@ Result Extract(const Options& options)
 
 /// Writes the field of a connection, with the geometry of a file. Only the first process has a
 /// result; `isCoarser` selects its details.
-Result Write(const Options& options, const FieldWriter& writer, const FieldFile& file,
+Result Write(const Options& options, const FieldOutput& writer, const FieldFile& file,
   vtkAlgorithmOutput* connection, const char* label, bool isCoarser)
 {
   const nlohmann::json coding = writer.Write(connection, file.GetGeometry(), label);
@@ -105,7 +105,7 @@ Result Write(const Options& options, const FieldWriter& writer, const FieldFile&
 
 Result Convert(const Options& options, bool toVideo)
 {
-  FieldWriter writer(options.Output, options.Coding);
+  FieldOutput writer(options.Output, options.Coding);
   if ((writer.GetFormat() == FieldFormat::Video) != toVideo)
   {
     throw Failure(toVideo ? "cslf encode writes .mp4 or .mkv; see cslf decode for other formats."
@@ -127,7 +127,7 @@ Result Resample(const Options& options)
     throw Failure("Nothing would change: specify --resolution-divisor, --viewpoint-stride or "
                   "--geometry-triangles. To code a field anew, use cslf encode.");
   }
-  FieldWriter writer(options.Output, options.Coding);
+  FieldOutput writer(options.Output, options.Coding);
   RequireOther(options.Input.FileName, options.Output);
   FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);

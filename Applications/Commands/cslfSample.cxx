@@ -283,7 +283,7 @@ Result Run(const Options& options)
   const auto start = std::chrono::steady_clock::now();
   CheckCube(options);
   CheckOutputs(options);
-  const FieldWriter writer(options.Output, options.Coding);
+  const FieldOutput writer(options.Output, options.Coding);
   CheckFormat(options, writer.GetFormat());
   options.Scene.RequireOther(options.Output);
   if (writer.GetFormat() == FieldFormat::ImageData)

@@ -456,7 +456,7 @@ void RequireWritable(const std::string& fileName)
   }
 }
 
-FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& coding)
+FieldOutput::FieldOutput(const std::string& fileName, const CodingOptions& coding)
   : FileName(fileName)
   , Coding(coding)
 {
@@ -487,7 +487,7 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
 #endif
 }
 
-void FieldWriter::TakeParts(const FieldFile& file)
+void FieldOutput::TakeParts(const FieldFile& file)
 {
   std::vector<FieldPart> parts = GetParts(file);
   parts.erase(std::remove_if(parts.begin(), parts.end(),
@@ -496,7 +496,7 @@ void FieldWriter::TakeParts(const FieldFile& file)
   MergeParts(this->Parts, parts);
 }
 
-nlohmann::json FieldWriter::Write(
+nlohmann::json FieldOutput::Write(
   vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const
 {
   switch (this->Format)
@@ -520,7 +520,7 @@ nlohmann::json FieldWriter::Write(
 }
 
 #ifdef CSLF_HAS_ENCODER
-nlohmann::json FieldWriter::WriteVideo(
+nlohmann::json FieldOutput::WriteVideo(
   vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const
 {
   vtkNew<vtkCSLFEncoder> encoder;
@@ -582,7 +582,7 @@ nlohmann::json FieldWriter::WriteVideo(
 }
 #endif
 
-void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const
+void FieldOutput::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const
 {
   vtkNew<vtkCSLFImageWriter> writer;
   writer->SetInputConnection(connection);

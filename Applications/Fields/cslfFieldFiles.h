@@ -141,12 +141,12 @@ private:
 };
 
 /// A destination for a field.
-class FieldWriter
+class FieldOutput
 {
 public:
   /// The extension determines the format. A name without extension is a folder. Reads the parts for
   /// a video. Throws a Failure if the destination is not writable.
-  FieldWriter(const std::string& fileName, const CodingOptions& coding);
+  FieldOutput(const std::string& fileName, const CodingOptions& coding);
 
   /// Pulls the field from the connection and writes it, and its geometry from another connection,
   /// which may be null; folders have no place for it. Throws a Failure. Under mpirun, all processes
@@ -179,7 +179,7 @@ void RequireWritable(const std::string& fileName);
 /// A file name's extension, with its dot, in lower case.
 std::string LowerExtension(const std::string& fileName);
 
-/// The results of FieldWriter::Write in words: ", ...", or nothing.
+/// The results of FieldOutput::Write in words: ", ...", or nothing.
 std::string DescribeCoding(const nlohmann::json& coding);
 
 /// The description of a field for `info` and similar commands.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The rest of an interrupted run: the first byte selects the file of OUT.partial for the others.
-#include "Coding/Writing/cslfPartStore.h"
+#include "Coding/Writing/cslfGroupStore.h"
 #include "cslfFuzzing.h"
 
 namespace
@@ -15,7 +15,7 @@ constexpr char Trials[] = "[[0,20,1,1,1,true],[0,36,1,1,1,true]]";
 /// Leaves a folder with a part, like a killed run.
 void Interrupt(const std::string& out)
 {
-  cslf::PartStore store(out);
+  cslf::GroupStore store(out);
   std::string error;
   bool discarded = false;
   cslf::CodedGroup part;
@@ -28,7 +28,7 @@ void Interrupt(const std::string& out)
 /// Continues with the existing files.
 void Resume(const std::string& out)
 {
-  cslf::PartStore store(out);
+  cslf::GroupStore store(out);
   std::string error;
   bool discarded = false;
   if (!store.Open(Manifest, true, discarded, error))

@@ -42,15 +42,15 @@ const PlaneRow& GetRow(Plane plane)
 
 std::string MakeName(const TrackRole& role)
 {
-  if (role.Part == Plane::Coverage)
+  if (role.Samples == Plane::Coverage)
   {
     const int layer = role.Source.Layer;
-    return GetRow(role.Part).Suffix + (layer > 0 ? std::to_string(layer + 1) : std::string());
+    return GetRow(role.Samples).Suffix + (layer > 0 ? std::to_string(layer + 1) : std::string());
   }
   std::string name = NameOf(role.Source);
   std::transform(name.begin(), name.end(), name.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return name + GetRow(role.Part).Suffix;
+  return name + GetRow(role.Samples).Suffix;
 }
 
 /// The roles of all known channels, by name.
@@ -148,7 +148,8 @@ bool HasChroma(AVPixelFormat format)
 
 bool HasSparseChroma(const Track& track)
 {
-  return track.Role.Part == Plane::Colors && av_pix_fmt_desc_get(track.Format)->log2_chroma_w > 0;
+  return track.Role.Samples == Plane::Colors &&
+    av_pix_fmt_desc_get(track.Format)->log2_chroma_w > 0;
 }
 
 bool NeedsEvenSize(AVPixelFormat format)

@@ -31,15 +31,15 @@ enum class Plane
 struct TrackRole
 {
   ChannelId Source = KnownChannel::Color;
-  Plane Part = Plane::Colors;
+  Plane Samples = Plane::Colors;
 
   bool operator==(const TrackRole& other) const
   {
-    return this->Source == other.Source && this->Part == other.Part;
+    return this->Source == other.Source && this->Samples == other.Samples;
   }
   bool operator<(const TrackRole& other) const
   {
-    return std::tie(this->Source, this->Part) < std::tie(other.Source, other.Part);
+    return std::tie(this->Source, this->Samples) < std::tie(other.Source, other.Samples);
   }
 };
 

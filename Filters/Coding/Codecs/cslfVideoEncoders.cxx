@@ -78,11 +78,11 @@ EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
     { "rc-lookahead", std::to_string(Lookahead) }, { "bframes", "8" }, { "ref", "5" },
     { "weightp", "0" }, { "weightb", "0" }, { "early-skip", "1" }, { "psy-rd", "0" },
     { "psy-rdoq", "0" }, { "aq-mode", "0" } };
-  if (track.Role.Part == Plane::Colors && !track.Lossless)
+  if (track.Role.Samples == Plane::Colors && !track.Lossless)
   {
     Append(GetColorOptions(track.Format, options.Preset), all.OfLibrary);
   }
-  if (track.Role.Part != Plane::Colors)
+  if (track.Role.Samples != Plane::Colors)
   {
     all.OfLibrary.push_back({ "rskip", "0" });
   }

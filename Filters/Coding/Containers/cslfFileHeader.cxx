@@ -68,7 +68,7 @@ JSON ToJSON(const CodedTrack& track)
     json[TransferKey] = CurveName;
     json[MuKey] = kind.Constants.Mu;
   }
-  if (kind.Role.Part == Plane::Coverage)
+  if (kind.Role.Samples == Plane::Coverage)
   {
     json[ToleranceKey] = kind.GetTolerance();
   }
@@ -98,12 +98,12 @@ double ToNumber(const JSON& object, const char* key, double lowest, double highe
 void ReadTransfer(const JSON& json, Track& kind)
 {
   const std::string transfer = json.value(TransferKey, "");
-  if (kind.Role.Part == Plane::Colors && transfer == PQName && CanHoldRadiance(kind.Format))
+  if (kind.Role.Samples == Plane::Colors && transfer == PQName && CanHoldRadiance(kind.Format))
   {
     kind.IsRadiance = true;
     kind.Constants.White = ToNumber(json, WhiteKey, 1.0, PeakLuminance);
   }
-  else if (kind.Role.Part == Plane::Numbers && transfer == CurveName)
+  else if (kind.Role.Samples == Plane::Numbers && transfer == CurveName)
   {
     kind.IsCurved = true;
     kind.Constants.Mu = ToNumber(json, MuKey, 1e-3, 1e6);
@@ -119,7 +119,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   CodedTrack track;
   track.Kind.Role = role;
   const auto codec = CodecOfName(json.at("codec").get<std::string>());
-  const auto format = FindPixelFormat(role.Part, json.at("pixel_format").get<std::string>());
+  const auto format = FindPixelFormat(role.Samples, json.at("pixel_format").get<std::string>());
   if (!codec || !format)
   {
     throw TrackError(NameOfRole(role), "an unknown codec or pixel format");
@@ -134,7 +134,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
     throw TrackError(NameOfRole(role), "an unknown chroma location");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
-  if (role.Part == Plane::Coverage)
+  if (role.Samples == Plane::Coverage)
   {
     ToNumber(json, ToleranceKey, 0.0, track.Kind.Lossless ? 0.0 : 127.0);
     track.Kind.Constants.CoverageTolerance = ToInteger(json.at(ToleranceKey));

@@ -176,7 +176,7 @@ AVPixelFormat WithoutRange(int format)
 bool HoldsSamples(const Track& track, int format)
 {
   const AVPixelFormat plain = WithoutRange(format);
-  if (track.Role.Part == Plane::Colors)
+  if (track.Role.Samples == Plane::Colors)
   {
     return plain == track.Format;
   }
@@ -261,7 +261,7 @@ void VisitPlane(int resolution, Frame* frame, int plane, Visit visit)
 
 void TagFrame(const Track& track, int resolution, AVFrame* frame)
 {
-  const bool color = track.Role.Part == Plane::Colors;
+  const bool color = track.Role.Samples == Plane::Colors;
   frame->width = TileCount * resolution;
   frame->height = resolution;
   frame->format = track.Format;
@@ -284,7 +284,7 @@ SliceToFrame::SliceToFrame(const Track& track, int resolution)
 
 void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
 {
-  switch (this->Kind.Role.Part)
+  switch (this->Kind.Role.Samples)
   {
     case Plane::Colors:
       if (this->Kind.IsRadiance)
@@ -318,7 +318,7 @@ void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
 void SliceToFrame::PutNumbers(const ViewpointSamples& samples, AVFrame* frame)
 {
   const auto* numbers = samples.Get<unsigned short>(this->Kind.Role.Source);
-  if (this->Kind.Role.Part == Plane::Numbers)
+  if (this->Kind.Role.Samples == Plane::Numbers)
   {
     const std::size_t texels =
       static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
@@ -342,7 +342,7 @@ void SliceToFrame::PutNumbers(const ViewpointSamples& samples, AVFrame* frame)
     }
     return;
   }
-  const int shift = this->Kind.Role.Part == Plane::HighByte ? 8 : 0;
+  const int shift = this->Kind.Role.Samples == Plane::HighByte ? 8 : 0;
   VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
     [&](std::size_t texel, std::uint8_t& sample)
     { sample = static_cast<std::uint8_t>(numbers[texel] >> shift); });
@@ -368,7 +368,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
   auto* bytes = samples.Get<unsigned char>(this->Kind.Role.Source);
   auto* floats = samples.Get<float>(this->Kind.Role.Source);
   auto* depths = samples.Get<unsigned short>(this->Kind.Role.Source);
-  switch (this->Kind.Role.Part)
+  switch (this->Kind.Role.Samples)
   {
     case Plane::Colors:
       if (this->Kind.IsRadiance)
@@ -405,7 +405,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
     {
       // The two tracks may be processed at the same time, so each writes only its own byte.
       auto* parts = reinterpret_cast<std::uint8_t*>(depths);
-      const std::size_t offset = ByteOffset(this->Kind.Role.Part == Plane::HighByte);
+      const std::size_t offset = ByteOffset(this->Kind.Role.Samples == Plane::HighByte);
       VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t sample) { parts[2 * texel + offset] = sample; });
       return true;

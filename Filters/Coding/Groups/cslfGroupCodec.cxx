@@ -361,7 +361,7 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
     error = "the encoder did not give one packet for each frame";
     return false;
   }
-  group.CoveredFully = track.Role.Part == Plane::Coverage &&
+  group.CoveredFully = track.Role.Samples == Plane::Coverage &&
     IsCoveredFully(resolution, track.Role.Source.Layer, slices);
   return true;
 }

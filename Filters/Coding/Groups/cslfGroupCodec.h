@@ -75,15 +75,15 @@ struct GroupCost
   bool CoveredFully = true;
 };
 
-/// A group's part of each track.
-using GroupParts = std::vector<CodedGroup>;
+/// A coded group of all tracks.
+using GroupTracks = std::vector<CodedGroup>;
 
 /// What came of a task.
 struct CodingResult
 {
   int Group = 0;
   std::vector<std::pair<double, GroupCost>> Trials; ///< the cost at each rate factor
-  GroupParts Parts;                                 ///< of a group that is not only tried
+  GroupTracks Tracks;                               ///< of a group that is not only tried
 };
 }
 

@@ -126,13 +126,13 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   {
     tasks.push_back({ group, true, { this->Settings.CRF } });
   }
-  std::vector<GroupParts> parts;
-  if (!this->Writer->GetCoder().Encode(tasks, fitted, GoOn, parts, error))
+  std::vector<GroupTracks> coded;
+  if (!this->Writer->GetCoder().Encode(tasks, fitted, GoOn, coded, error))
   {
     return false;
   }
   costs.CodingThreadSeconds += static_cast<double>(std::clock() - middle) / CLOCKS_PER_SEC;
-  for (const GroupParts& group : parts)
+  for (const GroupTracks& group : coded)
   {
     const GroupCost cost = this->Writer->GetCost(group);
     this->IsCoveredFully = this->IsCoveredFully && cost.CoveredFully;

@@ -7,7 +7,7 @@
 #ifndef cslfEncodeProbe_h
 #define cslfEncodeProbe_h
 
-#include "cslfFieldWriter.h"
+#include "cslfFileAssembler.h"
 #include "cslfViewpointReader.h"
 
 #include <vtkSmartPointer.h>
@@ -50,7 +50,7 @@ public:
   /// the reason in a sentence.
   bool Begin(std::string& error);
 
-  /// What the parts of a run would depend on.
+  /// What the groups of a run would depend on.
   const std::string& GetManifest() const { return this->Writer->GetManifest(); }
 
   /// What readers would compute, after Begin.
@@ -79,7 +79,7 @@ private:
   std::optional<ComputedChannels> Computed;
   GeometryPlan Plan;
   std::optional<ViewpointReader> Input;
-  std::optional<FieldWriter> Writer;
+  std::optional<FileAssembler> Writer;
   bool IsCoveredFully = true; // by all groups made so far
 };
 }

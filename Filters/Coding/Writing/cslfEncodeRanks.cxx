@@ -57,10 +57,10 @@ void Put(const CodingResult& result, ByteBuffer& buffer)
     }
     buffer.Put(cost.CoveredFully ? 1u : 0u);
   }
-  buffer.Put(static_cast<std::uint32_t>(result.Parts.size()));
-  for (const CodedGroup& part : result.Parts)
+  buffer.Put(static_cast<std::uint32_t>(result.Tracks.size()));
+  for (const CodedGroup& group : result.Tracks)
   {
-    buffer.Put(PackPart(part, NoManifest));
+    buffer.Put(PackGroup(group, NoManifest));
   }
 }
 
@@ -74,10 +74,10 @@ bool Take(ByteBuffer& buffer, std::pair<double, GroupCost>& trial)
   return isGood;
 }
 
-bool Take(ByteBuffer& buffer, CodedGroup& part)
+bool Take(ByteBuffer& buffer, CodedGroup& group)
 {
   std::vector<std::uint8_t> bytes;
-  return buffer.Take(bytes) && UnpackPart(std::move(bytes), NoManifest, part);
+  return buffer.Take(bytes) && UnpackGroup(std::move(bytes), NoManifest, group);
 }
 
 /// Takes a list of items. The number of them is limited by what the rest of the message can hold.
@@ -102,7 +102,7 @@ std::vector<CodingResult> TakeResults(ByteBuffer& buffer)
   {
     CodingResult result;
     result.Group = static_cast<int>(group);
-    if (!Take(buffer, result.Trials) || !Take(buffer, result.Parts))
+    if (!Take(buffer, result.Trials) || !Take(buffer, result.Tracks))
     {
       return {};
     }

@@ -13,7 +13,7 @@
 
 #include "Coding/Groups/cslfGroupCodec.h"
 #include "Parallel/cslfRanks.h"
-#include "cslfPart.h"
+#include "cslfGroupBytes.h"
 
 #include <functional>
 #include <map>

@@ -35,7 +35,7 @@ constexpr int GroupsPerThread = 2;
 /// Previews take at most one in this many seconds.
 constexpr int SecondsPerPreviewSecond = 50;
 
-/// The share of the progress for joining the parts.
+/// The share of the progress for joining the groups.
 constexpr double JoinShare = 0.05;
 
 /// The progress before viewpoints are coded, if key views are chosen or a geometry is tried.
@@ -166,7 +166,7 @@ bool EncodeSession::CheckHere()
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   this->Writer->SetParts(this->Job.Parts);
   std::string error;
-  return this->Peers.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
+  return this->Peers.GetRank() != 0 || this->Writer->ReserveFolder(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
 }
 
@@ -241,7 +241,6 @@ bool EncodeSession::ChooseGeometry(bool isReady)
   if (isReady)
   {
     this->Input->SetKeyViewStep(this->Choice.Step);
-    this->Cached.emplace(this->CountSlicesThatFit());
   }
   if (isReady && this->Peers.GetRank() == 0)
   {
@@ -317,10 +316,11 @@ bool EncodeSession::TryGeometry()
 bool EncodeSession::BeginWriting()
 {
   this->Writer->Begin(this->Input->GetField(), this->Checksum, this->Plan);
-  return this->Peers.GetRank() != 0 || this->OpenParts();
+  this->Groups.emplace(*this->Input, *this->Writer, this->Plan, this->CountSlicesThatFit());
+  return this->Peers.GetRank() != 0 || this->OpenFolder();
 }
 
-bool EncodeSession::OpenParts()
+bool EncodeSession::OpenFolder()
 {
   for (const Channel& channel : this->Input->GetField().Channels)
   {
@@ -331,7 +331,7 @@ bool EncodeSession::OpenParts()
   }
   std::string warning;
   std::string error;
-  if (!this->Writer->OpenParts(this->Job.Restart, warning, error))
+  if (!this->Writer->OpenFolder(this->Job.Restart, warning, error))
   {
     return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
   }
@@ -556,21 +556,18 @@ bool EncodeSession::CodeTasks(
   const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results)
 {
   std::vector<ViewpointSamples> slices;
-  std::vector<GroupParts> parts;
+  std::vector<GroupTracks> coded;
   std::string error;
   this->TasksAtWork = CountTasks(tasks);
-  if (!this->GatherSlices(tasks, slices))
-  {
-    return false;
-  }
-  const auto progress = [this](double share)
-  { return this->Peers.Serve() && this->ReportTasks(FitShare + (1.0 - FitShare) * share); };
-  if (!this->Writer->GetCoder().Encode(tasks, slices, progress, parts, error))
+  const auto report = [this](double share)
+  { return this->Peers.Serve() && this->ReportTasks(share); };
+  if (!this->Groups->Gather(tasks, Within(report, PullShare, FitShare), slices, error) ||
+    !this->Writer->GetCoder().Encode(tasks, slices, Within(report, FitShare, 1.0), coded, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   this->TasksAtWork = 0;
-  auto next = parts.begin();
+  auto next = coded.begin();
   for (const CodingTask& task : tasks)
   {
     CodingResult& result = results.emplace_back();
@@ -583,59 +580,11 @@ bool EncodeSession::CodeTasks(
       }
       else
       {
-        result.Parts = std::move(*next);
-        this->Cached->Drop(task.Group);
+        result.Tracks = std::move(*next);
+        this->Groups->Drop(task.Group);
       }
       ++next;
     }
-  }
-  return true;
-}
-
-bool EncodeSession::GatherSlices(
-  const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices)
-{
-  std::vector<int> pulled;
-  for (const CodingTask& task : tasks)
-  {
-    if (!this->Cached->Find(task.Group))
-    {
-      pulled.push_back(task.Group);
-    }
-  }
-  if (this->Plan.TellsAll())
-  {
-    slices = MakeBlankSamples(this->Input->GetField(), this->Writer->GetFrames(pulled).size());
-    return true;
-  }
-  std::string error;
-  if (!this->Input->Read(this->Writer->GetFrames(pulled), error))
-  {
-    return this->FailWriting(vtkErrorCode::UnknownError, error);
-  }
-  const std::vector<ViewpointSamples> fresh = this->Input->GetSlices();
-  GeometryFit ignored;
-  const auto progress = [this](double share)
-  { return this->Peers.Serve() && this->ReportTasks(PullShare + (FitShare - PullShare) * share); };
-  if (!this->Plan.Fit(this->Writer->GetFrames(pulled), fresh, progress, ignored))
-  {
-    return this->FailWriting(vtkErrorCode::UserError, Stopped);
-  }
-  auto from = fresh.begin();
-  for (const CodingTask& task : tasks)
-  {
-    if (const auto* kept = this->Cached->Find(task.Group))
-    {
-      slices.insert(slices.end(), kept->begin(), kept->end());
-      continue;
-    }
-    const auto to = from + this->Writer->CountFrames(task.Group);
-    slices.insert(slices.end(), from, to);
-    if (task.IsTrial)
-    {
-      this->Cached->Keep(task.Group, { from, to });
-    }
-    from = to;
   }
   return true;
 }
@@ -654,7 +603,7 @@ bool EncodeSession::StoreResults(const std::vector<CodingResult>& results)
     {
       this->Control->AddTrial(result.Group, factor, cost);
     }
-    if (!result.Parts.empty() && !this->Writer->StoreGroup(result.Group, result.Parts, error))
+    if (!result.Tracks.empty() && !this->Writer->StoreGroup(result.Group, result.Tracks, error))
     {
       std::string lack;
       error += this->Writer->HasRoom(lack) ? "" : "; " + lack;

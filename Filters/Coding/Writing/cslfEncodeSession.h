@@ -10,7 +10,7 @@
 
 #include "Pipeline/cslfPhase.h"
 #include "cslfEncodeRanks.h"
-#include "cslfFieldWriter.h"
+#include "cslfFileAssembler.h"
 #include "cslfHeldOutViews.h"
 #include "cslfViewpointReader.h"
 
@@ -125,7 +125,7 @@ private:
   bool AddGeometry();
   bool TryGeometry();
   bool BeginWriting();
-  bool OpenParts();
+  bool OpenFolder();
 
   int CodeGroups(); ///< the number of groups that will be stored in the end
   void CodeOnRoot();
@@ -137,7 +137,6 @@ private:
   int CountSlicesThatFit() const;
   int GetGroupsAtOnce() const;
   bool CodeTasks(const std::vector<CodingTask>& tasks, std::vector<CodingResult>& results);
-  bool GatherSlices(const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices);
   bool StoreResults(const std::vector<CodingResult>& results);
   void WritePreview();
 
@@ -154,8 +153,8 @@ private:
   EncodeOutcome Outcome;
   std::optional<Layout> Grid; ///< of the input
   std::optional<ViewpointReader> Input;
-  std::optional<GroupCache> Cached;
-  std::optional<FieldWriter> Writer;
+  std::optional<FileAssembler> Writer;
+  std::optional<GroupSource> Groups;
   std::optional<RateControl> Control;       ///< rank 0
   std::vector<unsigned char> GeometryBytes; ///< coded; only on rank 0
   KeyViewChoice Choice;

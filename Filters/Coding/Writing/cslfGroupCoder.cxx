@@ -23,16 +23,16 @@ namespace
 {
 // The error of the colours of a coded group.
 
-/// A coded group of a track.
-struct TrackPart
+/// A coded group, and its track.
+struct GroupOfTrack
 {
   Track Kind;
-  const CodedGroup* Part = nullptr;
+  const CodedGroup* Group = nullptr;
 };
 
-bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packets)
+bool MakePackets(const CodedGroup& group, std::vector<AVHandle<AVPacket>>& packets)
 {
-  for (const CodedFrame& frame : part.Frames)
+  for (const CodedFrame& frame : group.Frames)
   {
     AVHandle<AVPacket> packet(av_packet_alloc());
     if (!packet || av_new_packet(packet.get(), static_cast<int>(frame.Data.size())) < 0)
@@ -47,13 +47,13 @@ bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packet
 }
 
 /// Decodes a track into its part of slices.
-bool Decode(const TrackPart& track, int resolution, const std::vector<ViewpointSamples>& slices)
+bool Decode(const GroupOfTrack& track, int resolution, const std::vector<ViewpointSamples>& slices)
 {
   const AVHandle<AVCodecParameters> parameters(avcodec_parameters_alloc());
   std::vector<AVHandle<AVPacket>> packets;
   if (!parameters ||
-    !SetParameterSets(IDOfCodec(track.Kind.Coding), track.Part->ParameterSets, parameters.get()) ||
-    !MakePackets(*track.Part, packets))
+    !SetParameterSets(IDOfCodec(track.Kind.Coding), track.Group->ParameterSets, parameters.get()) ||
+    !MakePackets(*track.Group, packets))
   {
     return false;
   }
@@ -102,7 +102,7 @@ double SumSquares(
 /// blue of all texels, in units of 1/255. Colour has associated alpha, so this is the error over
 /// black. Without a track of coverage, colour has no meaning where the slices have no coverage. On
 /// failure returns false and gives the reason in one line.
-bool AddSquaredError(const TrackPart& color, const TrackPart* coverage, int resolution,
+bool AddSquaredError(const GroupOfTrack& color, const GroupOfTrack* coverage, int resolution,
   const std::vector<ViewpointSamples>& slices, double& sum, std::string& error)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
@@ -252,9 +252,9 @@ std::vector<Track> GroupCoder::GetTracks() const
 
 bool GroupCoder::Encode(const std::vector<CodingTask>& tasks,
   const std::vector<ViewpointSamples>& slices, const Progress& progress,
-  std::vector<GroupParts>& parts, std::string& error) const
+  std::vector<GroupTracks>& coded, std::string& error) const
 {
-  std::vector<Coding> codings = this->Split(tasks, slices, parts);
+  std::vector<Coding> codings = this->Split(tasks, slices, coded);
   const std::size_t tracks = this->Encodings.size();
   const auto encode = [&](std::size_t job, const std::function<bool()>& proceed, std::string& fault)
   { this->EncodeTrack(job % tracks, codings[job / tracks], proceed, fault); };
@@ -271,7 +271,7 @@ bool GroupCoder::Encode(const std::vector<CodingTask>& tasks,
 }
 
 std::vector<GroupCoder::Coding> GroupCoder::Split(const std::vector<CodingTask>& tasks,
-  const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const
+  const std::vector<ViewpointSamples>& slices, std::vector<GroupTracks>& coded) const
 {
   std::vector<Coding> codings;
   auto from = slices.begin();
@@ -284,10 +284,10 @@ std::vector<GroupCoder::Coding> GroupCoder::Split(const std::vector<CodingTask>&
     }
     from = to;
   }
-  parts.assign(codings.size(), GroupParts(this->Encodings.size()));
-  for (std::size_t place = 0; place < parts.size(); ++place)
+  coded.assign(codings.size(), GroupTracks(this->Encodings.size()));
+  for (std::size_t place = 0; place < coded.size(); ++place)
   {
-    codings[place].Parts = &parts[place];
+    codings[place].Tracks = &coded[place];
   }
   return codings;
 }
@@ -296,9 +296,9 @@ EncodeOptions GroupCoder::GetOptions(const Encoding& encoding, double factor) co
 {
   EncodeOptions options = encoding.Options;
   const bool isFixed = this->Settings.Target.Kind == RateTarget::Kinds::Factor;
-  options.CRF = encoding.Kind.Role.Part == Plane::Colors ? factor
-    : isFixed                                            ? options.CRF
-                                                         : FindTrackFactor(options.CRF, factor);
+  options.CRF = encoding.Kind.Role.Samples == Plane::Colors ? factor
+    : isFixed                                               ? options.CRF
+                                                            : FindTrackFactor(options.CRF, factor);
   return options;
 }
 
@@ -313,29 +313,29 @@ void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding,
 {
   const Encoding& encoding = this->Encodings[track];
   EncodeGroup(encoding.Kind, this->Resolution, this->GetOptions(encoding, coding.Factor),
-    coding.Frames, proceed, (*coding.Parts)[track], error);
+    coding.Frames, proceed, (*coding.Tracks)[track], error);
 }
 
 void GroupCoder::MeasureError(const Coding& coding, std::string& error) const
 {
-  GroupParts& parts = *coding.Parts;
-  std::map<TrackRole, TrackPart> coded;
+  GroupTracks& tracks = *coding.Tracks;
+  std::map<TrackRole, GroupOfTrack> coded;
   for (std::size_t track = 0; track < this->Encodings.size(); ++track)
   {
     const Track& kind = this->Encodings[track].Kind;
-    coded[kind.Role] = { kind, &parts[track] };
+    coded[kind.Role] = { kind, &tracks[track] };
   }
   double sum = 0.0;
   for (const auto& [role, color] : coded)
   {
     const auto coverage = coded.find(CoverageOf(role.Source.Layer));
-    if (role.Part == Plane::Colors &&
+    if (role.Samples == Plane::Colors &&
       !AddSquaredError(color, coverage == coded.end() ? nullptr : &coverage->second,
         this->Resolution, coding.Frames, sum, error))
     {
       return;
     }
   }
-  parts.front().SquaredError = sum;
+  tracks.front().SquaredError = sum;
 }
 }

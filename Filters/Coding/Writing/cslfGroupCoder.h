@@ -29,11 +29,11 @@ public:
   std::vector<Track> GetTracks() const;
 
   /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
-  /// other; `parts` contains those of the first task, for each of its factors, then those of the
+  /// other; `coded` gets those of the first task, for each of its factors, then those of the
   /// next. `progress` is called regularly on the calling thread. On failure returns false and gives
   /// the reason.
   bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ViewpointSamples>& slices,
-    const Progress& progress, std::vector<GroupParts>& parts, std::string& error) const;
+    const Progress& progress, std::vector<GroupTracks>& coded, std::string& error) const;
 
 private:
   struct Encoding
@@ -48,12 +48,12 @@ private:
     std::vector<ViewpointSamples> Frames;
     double Factor;
     bool IsMeasured;
-    GroupParts* Parts;
+    GroupTracks* Tracks;
   };
 
   void AddTracks(ChannelId id, const ChannelForm& form, const EncoderChoice& choice);
   std::vector<Coding> Split(const std::vector<CodingTask>& tasks,
-    const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const;
+    const std::vector<ViewpointSamples>& slices, std::vector<GroupTracks>& coded) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
   bool IsMeasured(const CodingTask& task) const;
   void EncodeTrack(std::size_t track, const Coding& coding, const std::function<bool()>& proceed,

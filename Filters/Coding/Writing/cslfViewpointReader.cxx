@@ -154,4 +154,72 @@ void ViewpointReader::Copy(int slice, const ViewpointSamples& target)
     }
   }
 }
+
+GroupSource::GroupSource(
+  ViewpointReader& input, const FileAssembler& file, const GeometryPlan& plan, int kept)
+  : Input(input)
+  , File(file)
+  , Plan(plan)
+  , Room(kept)
+{
+}
+
+bool GroupSource::Gather(const std::vector<CodingTask>& tasks, const Progress& progress,
+  std::vector<ViewpointSamples>& slices, std::string& error)
+{
+  std::vector<int> groups;
+  for (const CodingTask& task : tasks)
+  {
+    if (this->Kept.count(task.Group) == 0)
+    {
+      groups.push_back(task.Group);
+    }
+  }
+  const std::vector<FrameId> frames = this->File.GetFrames(groups);
+  if (this->Plan.TellsAll())
+  {
+    slices = MakeBlankSamples(this->Input.GetField(), frames.size());
+    return true;
+  }
+  if (!this->Input.Read(frames, error))
+  {
+    return false;
+  }
+  const std::vector<ViewpointSamples> fresh = this->Input.GetSlices();
+  GeometryFit ignored;
+  if (!this->Plan.Fit(frames, fresh, progress, ignored))
+  {
+    error = Stopped;
+    return false;
+  }
+  auto from = fresh.begin();
+  for (const CodingTask& task : tasks)
+  {
+    const auto kept = this->Kept.find(task.Group);
+    if (kept != this->Kept.end())
+    {
+      slices.insert(slices.end(), kept->second.begin(), kept->second.end());
+      continue;
+    }
+    const int count = this->File.CountFrames(task.Group);
+    slices.insert(slices.end(), from, from + count);
+    if (task.IsTrial && count <= this->Room)
+    {
+      this->Room -= count;
+      this->Kept[task.Group] = { from, from + count };
+    }
+    from += count;
+  }
+  return true;
+}
+
+void GroupSource::Drop(int group)
+{
+  const auto found = this->Kept.find(group);
+  if (found != this->Kept.end())
+  {
+    this->Room += static_cast<int>(found->second.size());
+    this->Kept.erase(found);
+  }
+}
 }

@@ -3,14 +3,16 @@
 /**
  * @file
  * Reads viewpoints of a light field of byte or float colours and 16-bit depth through the pipeline,
- * in any order.
+ * in any order, and makes the groups of them that are coded.
  */
 #ifndef cslfViewpointReader_h
 #define cslfViewpointReader_h
 
 #include "Pipeline/cslfFieldStream.h"
+#include "Pipeline/cslfPhase.h"
 #include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
+#include "cslfFileAssembler.h"
 #include "cslfViewpointSamples.h"
 
 #include <cstddef>
@@ -26,49 +28,6 @@ class vtkInformation;
 
 namespace cslf
 {
-/// Viewpoints of groups that are coded several times.
-class GroupCache
-{
-public:
-  /// Keeps at most this many slices.
-  explicit GroupCache(int slices)
-    : Room(slices)
-  {
-  }
-
-  /// Keeps a group's slices if there is room.
-  void Keep(int group, std::vector<ViewpointSamples> slices)
-  {
-    const int count = static_cast<int>(slices.size());
-    if (count <= this->Room && this->Groups.count(group) == 0)
-    {
-      this->Room -= count;
-      this->Groups[group] = std::move(slices);
-    }
-  }
-
-  /// The slices of a group, or null.
-  const std::vector<ViewpointSamples>* Find(int group) const
-  {
-    const auto found = this->Groups.find(group);
-    return found == this->Groups.end() ? nullptr : &found->second;
-  }
-
-  void Drop(int group)
-  {
-    const auto found = this->Groups.find(group);
-    if (found != this->Groups.end())
-    {
-      this->Room += static_cast<int>(found->second.size());
-      this->Groups.erase(found);
-    }
-  }
-
-private:
-  int Room;
-  std::map<int, std::vector<ViewpointSamples>> Groups;
-};
-
 /// The grid of viewpoints and texels for the whole extent of that pipeline information, if it is
 /// that of a whole light field.
 std::optional<Layout> FindGrid(vtkInformation* information);
@@ -122,6 +81,32 @@ private:
   std::size_t Awaited = 0;
   std::size_t Wanted = 0;
   ///@}
+};
+
+/// Gives the viewpoints of groups as they are coded: read, and fitted to the geometry. Keeps those
+/// of groups that are coded several times, as far as there is room.
+class GroupSource
+{
+public:
+  /// Keeps at most `kept` slices. All arguments must outlive this object.
+  GroupSource(
+    ViewpointReader& input, const FileAssembler& file, const GeometryPlan& plan, int kept);
+
+  /// The slices of the tasks' groups, one group after the other. Those of trials are kept.
+  /// `progress` gets numbers from 0 to 1 while viewpoints are fitted, and returns false to stop. On
+  /// failure returns false and gives the reason in one line.
+  bool Gather(const std::vector<CodingTask>& tasks, const Progress& progress,
+    std::vector<ViewpointSamples>& slices, std::string& error);
+
+  /// Forgets a group that will not be coded again.
+  void Drop(int group);
+
+private:
+  ViewpointReader& Input;
+  const FileAssembler& File;
+  const GeometryPlan& Plan;
+  int Room;                                          ///< how many more slices are kept
+  std::map<int, std::vector<ViewpointSamples>> Kept; ///< by group
 };
 }
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts of an unfinished file, one for each group and track, in a folder beside it.
+ * The coded groups of an unfinished file, a file for each group and track, in a folder beside it.
  *
- * A part appears complete, by renaming. It contains a checksum and the number of its manifest, a
- * text of all that the parts depend on. If a run ends before the file is complete, the parts stay
- * for the next run.
+ * Each of these files appears complete, by renaming. It contains a checksum and the number of its
+ * manifest, a text of all that the groups depend on. If a run ends before the file is complete, the
+ * groups stay for the next run.
  */
-#ifndef cslfPartStore_h
-#define cslfPartStore_h
+#ifndef cslfGroupStore_h
+#define cslfGroupStore_h
 
 #include "Coding/Groups/cslfGroupCodec.h"
 #include "Files/cslfWorkFolder.h"
@@ -19,43 +19,43 @@
 
 namespace cslf
 {
-class PartStore
+class GroupStore
 {
 public:
-  /// The parts of the file `fileName`.
-  explicit PartStore(const std::string& fileName);
+  /// The groups of the file `fileName`.
+  explicit GroupStore(const std::string& fileName);
 
   /// Keeps data for a restart if the store was opened or an earlier run has left the folder.
-  ~PartStore();
+  ~GroupStore();
 
-  PartStore(const PartStore&) = delete;
-  PartStore& operator=(const PartStore&) = delete;
+  GroupStore(const GroupStore&) = delete;
+  GroupStore& operator=(const GroupStore&) = delete;
 
   /// Makes the folder or takes over that of a killed run, and locks it. Its contents stay if `keep`
   /// is set. On failure returns false and gives the reason in one line.
   bool Reserve(bool keep, std::string& error);
 
-  /// Reserves the folder, unless that is done. Its parts stay if `keep` is set and they were made
-  /// under the same manifest; `discarded` tells whether parts of another manifest were removed
+  /// Reserves the folder, unless that is done. Its groups stay if `keep` is set and they were made
+  /// under the same manifest; `discarded` tells whether groups of another manifest were removed
   /// although `keep` is set. On failure returns false and gives the reason in one line.
   bool Open(const std::string& manifest, bool keep, bool& discarded, std::string& error);
 
-  /// Whether a part of that name exists, damaged or not.
+  /// Whether a track's group exists, damaged or not.
   bool Has(TrackRole role, int group) const;
 
-  bool Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const;
-  bool Read(TrackRole role, int group, CodedGroup& part, std::string& error) const;
+  bool Write(TrackRole role, int group, const CodedGroup& coded, std::string& error) const;
+  bool Read(TrackRole role, int group, CodedGroup& coded, std::string& error) const;
 
   ///@{
-  /// The results of trials before the parts were made, kept under the same manifest. Empty if there
-  /// are none.
+  /// The results of trials before the groups were made, kept under the same manifest. Empty if
+  /// there are none.
   bool WriteTrials(const std::string& text, std::string& error) const;
   std::string ReadTrials() const;
   void DropTrials() const;
   ///@}
 
   ///@{
-  /// A file of the parts so far, for viewers: the path where it is written, and steps that make it
+  /// A file of the groups so far, for viewers: the path where it is written, and steps that make it
   /// visible, see GetPreviewName, and remove both.
   std::string GetUnfinishedPreview() const;
   bool PublishPreview(std::string& error) const;
@@ -68,7 +68,7 @@ public:
   /// The path where the complete file is assembled before it is renamed.
   std::string GetWholeName() const;
 
-  /// Flushes the complete file to the disk, gives it its name, and only then removes the parts.
+  /// Flushes the complete file to the disk, gives it its name, and only then removes the groups.
   /// Unless it `replaces`, it fails if there is something of that name. A warning says why the
   /// folder stays if it does.
   bool Publish(bool replaces, std::string& warning, std::string& error);
@@ -76,7 +76,7 @@ public:
   const std::string& GetFolder() const { return this->Work.GetName(); }
 
 private:
-  static std::string GetPartName(TrackRole role, int group);
+  static std::string GetGroupName(TrackRole role, int group);
   bool DropOthers() const;
 
   WorkFolder Work;

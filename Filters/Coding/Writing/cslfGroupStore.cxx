@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfPartStore.h"
+#include "cslfGroupStore.h"
 
 #include "Files/cslfFileSystem.h"
-#include "cslfPart.h"
+#include "cslfGroupBytes.h"
 
 #include <filesystem>
 #include <fstream>
@@ -20,16 +20,16 @@ constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";
 constexpr const char* TrialsName = "trials.json";
 
-bool IsPart(const std::string& name)
+bool IsGroup(const std::string& name)
 {
-  static const std::regex pattern("group-[0-9]+-([a-z-]+)\\.part");
+  static const std::regex pattern("group-[0-9]+-([a-z0-9-]+)\\.part");
   std::smatch match;
   return std::regex_match(name, match, pattern) && RoleOfName(match[1]);
 }
 
 bool IsOurs(const std::string& name)
 {
-  return IsPart(name) || name == ManifestName || name == CacheName || name == TrialsName;
+  return IsGroup(name) || name == ManifestName || name == CacheName || name == TrialsName;
 }
 
 template <typename Bytes>
@@ -41,7 +41,7 @@ Bytes ReadBytes(const std::string& name)
 
 std::vector<std::uint8_t> ReadHead(const std::string& name)
 {
-  std::vector<std::uint8_t> head(PartHeadSize);
+  std::vector<std::uint8_t> head(GroupHeadSize);
   std::ifstream file(ToPath(name), std::ios::binary);
   file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> ReadHead(const std::string& name)
 }
 }
 
-PartStore::PartStore(const std::string& fileName)
+GroupStore::GroupStore(const std::string& fileName)
   : Work(fileName,
       [preview = GetPreviewName(ResolveTarget(fileName))](const std::string& name)
       { return IsOurs(name) || name == preview; })
@@ -57,7 +57,7 @@ PartStore::PartStore(const std::string& fileName)
 {
 }
 
-PartStore::~PartStore()
+GroupStore::~GroupStore()
 {
   if (!this->Work.IsReserved() || (!this->Opened && this->Work.IsKnown()))
   {
@@ -75,7 +75,7 @@ PartStore::~PartStore()
   }
 }
 
-bool PartStore::Reserve(bool keep, std::string& error)
+bool GroupStore::Reserve(bool keep, std::string& error)
 {
   if (!this->Work.Reserve(error))
   {
@@ -88,7 +88,7 @@ bool PartStore::Reserve(bool keep, std::string& error)
   return true;
 }
 
-bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, std::string& error)
+bool GroupStore::Open(const std::string& manifest, bool keep, bool& discarded, std::string& error)
 {
   discarded = false;
   if (!this->Work.IsReserved() && !this->Reserve(keep, error))
@@ -100,10 +100,10 @@ bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, st
   const bool isSame = keep && ReadBytes<std::string>(this->Work.GetName(ManifestName)) == manifest;
   if (!keep)
   {
-    // Otherwise they would count as this run's parts if it is interrupted.
+    // Otherwise they would count as this run's groups if it is interrupted.
     for (const std::string& name : this->Work.FindKept())
     {
-      if (IsPart(name))
+      if (IsGroup(name))
       {
         this->Work.Remove(name);
       }
@@ -119,14 +119,14 @@ bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, st
   return this->Work.Write(ManifestName, manifest.data(), manifest.size(), error);
 }
 
-/// Removes parts that were made under another manifest. Returns whether there were any.
-bool PartStore::DropOthers() const
+/// Removes groups that were made under another manifest. Returns whether there were any.
+bool GroupStore::DropOthers() const
 {
   bool dropped = false;
   for (const std::string& name : this->Work.FindKept())
   {
     std::uint32_t manifest = 0;
-    if (IsPart(name) && ReadManifest(ReadHead(this->Work.GetName(name)), manifest) &&
+    if (IsGroup(name) && ReadManifest(ReadHead(this->Work.GetName(name)), manifest) &&
       manifest != this->Manifest)
     {
       this->Work.Remove(name);
@@ -136,22 +136,22 @@ bool PartStore::DropOthers() const
   return dropped;
 }
 
-bool PartStore::Has(TrackRole role, int group) const
+bool GroupStore::Has(TrackRole role, int group) const
 {
   std::error_code ignored;
-  return std::filesystem::exists(ToPath(this->Work.GetName(GetPartName(role, group))), ignored);
+  return std::filesystem::exists(ToPath(this->Work.GetName(GetGroupName(role, group))), ignored);
 }
 
-bool PartStore::Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const
+bool GroupStore::Write(TrackRole role, int group, const CodedGroup& coded, std::string& error) const
 {
-  const std::vector<std::uint8_t> bytes = PackPart(part, this->Manifest);
-  return this->Work.Write(GetPartName(role, group), bytes.data(), bytes.size(), error);
+  const std::vector<std::uint8_t> bytes = PackGroup(coded, this->Manifest);
+  return this->Work.Write(GetGroupName(role, group), bytes.data(), bytes.size(), error);
 }
 
-bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& error) const
+bool GroupStore::Read(TrackRole role, int group, CodedGroup& coded, std::string& error) const
 {
-  const std::string name = this->Work.GetName(GetPartName(role, group));
-  if (!UnpackPart(ReadBytes<std::vector<std::uint8_t>>(name), this->Manifest, part))
+  const std::string name = this->Work.GetName(GetGroupName(role, group));
+  if (!UnpackGroup(ReadBytes<std::vector<std::uint8_t>>(name), this->Manifest, coded))
   {
     error = "the part " + name + " is missing or damaged";
     return false;
@@ -159,48 +159,48 @@ bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& e
   return true;
 }
 
-bool PartStore::WriteTrials(const std::string& text, std::string& error) const
+bool GroupStore::WriteTrials(const std::string& text, std::string& error) const
 {
   return this->Work.Write(TrialsName, text.data(), text.size(), error);
 }
 
-std::string PartStore::ReadTrials() const
+std::string GroupStore::ReadTrials() const
 {
   return ReadBytes<std::string>(this->Work.GetName(TrialsName));
 }
 
-void PartStore::DropTrials() const
+void GroupStore::DropTrials() const
 {
   this->Work.Remove(TrialsName);
 }
 
-std::string PartStore::GetUnfinishedPreview() const
+std::string GroupStore::GetUnfinishedPreview() const
 {
   return this->Work.GetScratchName(this->Preview);
 }
 
-bool PartStore::PublishPreview(std::string& error) const
+bool GroupStore::PublishPreview(std::string& error) const
 {
   return Rename(this->GetUnfinishedPreview(), this->Work.GetName(this->Preview), error);
 }
 
-void PartStore::DropPreview() const
+void GroupStore::DropPreview() const
 {
   this->Work.Remove(this->Preview);
   RemoveFile(this->GetUnfinishedPreview());
 }
 
-PersistentFile PartStore::GetCacheFile() const
+PersistentFile GroupStore::GetCacheFile() const
 {
   return { this->Work.GetScratchName(CacheName), this->Work.GetName(CacheName) };
 }
 
-std::string PartStore::GetWholeName() const
+std::string GroupStore::GetWholeName() const
 {
   return this->Work.GetScratchName(ToName(ToPath(this->Work.GetTarget()).filename()));
 }
 
-bool PartStore::Publish(bool replaces, std::string& warning, std::string& error)
+bool GroupStore::Publish(bool replaces, std::string& warning, std::string& error)
 {
   if (!PublishFile(this->GetWholeName(), this->Work.GetTarget(), error, replaces))
   {
@@ -210,7 +210,7 @@ bool PartStore::Publish(bool replaces, std::string& warning, std::string& error)
   return true;
 }
 
-std::string PartStore::GetPartName(TrackRole role, int group)
+std::string GroupStore::GetGroupName(TrackRole role, int group)
 {
   return "group-" + std::to_string(group) + "-" + NameOfRole(role) + ".part";
 }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the coded groups of a light field as parts, and joins them to one file.
+ * Keeps the coded groups of a light field in a folder, and joins them to one file.
  */
-#ifndef cslfFieldWriter_h
-#define cslfFieldWriter_h
+#ifndef cslfFileAssembler_h
+#define cslfFileAssembler_h
 
 #include "Coding/Containers/cslfFileHeader.h"
 #include "Coding/Frames/cslfFrameOrder.h"
 #include "cslfGeometryPlan.h"
 #include "cslfGroupCoder.h"
-#include "cslfPartStore.h"
+#include "cslfGroupStore.h"
 
 #include <cstdint>
 #include <functional>
@@ -22,11 +22,11 @@
 namespace cslf
 {
 /// Call Begin first. Then the coder codes every group, on any rank. On the rank that writes the
-/// file, call OpenParts, StoreGroup for each group that is missing, and Finish.
-class FieldWriter
+/// file, call OpenFolder, StoreGroup for each group that is missing, and Finish.
+class FileAssembler
 {
 public:
-  FieldWriter(const std::string& fileName, const EncodeSettings& settings);
+  FileAssembler(const std::string& fileName, const EncodeSettings& settings);
 
   /// The number of groups, after Begin.
   int GetGroupCount() const { return this->Header.GetCodedGroups(); }
@@ -55,48 +55,48 @@ public:
   /// About how much the container adds once.
   double GetContainerBytes(bool hasCoverage) const;
 
-  /// A text of all that the parts depend on.
+  /// A text of all that the coded groups depend on.
   const std::string& GetManifest() const { return this->Manifest; }
 
-  /// Makes the folder of parts, or takes over that of a killed run, before anything is known of the
-  /// field. On failure returns false and gives the reason.
-  bool ReserveParts(bool restart, std::string& error)
+  /// Makes the folder of groups, or takes over that of a killed run, before anything is known of
+  /// the field. On failure returns false and gives the reason.
+  bool ReserveFolder(bool restart, std::string& error)
   {
-    return this->Parts.Reserve(restart, error);
+    return this->Groups.Reserve(restart, error);
   }
 
   /// The path in that folder where data for a restart may be kept.
-  PersistentFile GetCacheFile() const { return this->Parts.GetCacheFile(); }
+  PersistentFile GetCacheFile() const { return this->Groups.GetCacheFile(); }
 
-  /// Opens the folder of parts. If `restart` is set, finds the parts that a killed run left there
+  /// Opens the folder of groups. If `restart` is set, finds those that a killed run left there
   /// under the same manifest. A warning says what is discarded.
-  bool OpenParts(bool restart, std::string& warning, std::string& error);
+  bool OpenFolder(bool restart, std::string& warning, std::string& error);
 
   /// The groups that are not stored yet, in coding order.
   const std::vector<int>& GetMissingGroups() const { return this->Header.Missing; }
   bool IsMissing(int group) const;
 
-  /// The number of stored groups: 0 before OpenParts, and on ranks that do not write the file.
+  /// The number of stored groups: 0 before OpenFolder, and on ranks that do not write the file.
   int CountStored() const;
 
-  /// The cost of a group's parts.
-  GroupCost GetCost(const GroupParts& parts) const;
+  /// The cost of a group's tracks.
+  GroupCost GetCost(const GroupTracks& tracks) const;
 
   /// Stores a missing group.
-  bool StoreGroup(int group, const GroupParts& parts, std::string& error);
+  bool StoreGroup(int group, const GroupTracks& tracks, std::string& error);
 
   /// The cost of a stored group.
   const GroupCost& GetStoredCost(int group) const { return this->Costs[group]; }
 
   ///@{
-  /// The results of rate control's trials, kept beside the parts of the same manifest. Empty if
+  /// The results of rate control's trials, kept beside the groups of the same manifest. Empty if
   /// there are none.
-  std::string ReadTrials() const { return this->Parts.ReadTrials(); }
+  std::string ReadTrials() const { return this->Groups.ReadTrials(); }
   bool WriteTrials(const std::string& text, std::string& error) const
   {
-    return this->Parts.WriteTrials(text, error);
+    return this->Groups.WriteTrials(text, error);
   }
-  void DropTrials() const { this->Parts.DropTrials(); }
+  void DropTrials() const { this->Groups.DropTrials(); }
   ///@}
 
   /// Whether the disk has enough space for the rest, judged by the target size of the file or by
@@ -106,7 +106,7 @@ public:
   /// Whether there is something to preview: the coarsest grid is stored, but not all groups.
   bool CanPreview() const;
 
-  /// Joins the stored groups to a file in the folder of parts, which replaces an earlier one. If
+  /// Joins the stored groups to a file in the folder of groups, which replaces an earlier one. If
   /// this fails, for example because the disk has no space besides what is needed, there is none,
   /// and `error` gives the reason.
   bool WritePreview(std::string& error);
@@ -129,8 +129,8 @@ private:
     bool CoveredFully = true;
   };
 
-  /// The parts of a group that an earlier run left. A run that is killed while it writes or removes
-  /// a group's parts leaves some of them.
+  /// What an earlier run left of a group. A run that is killed while it writes or removes a group
+  /// leaves some of its tracks.
   enum class Found
   {
     Whole,
@@ -146,18 +146,18 @@ private:
   double GetWantedBytes() const;
   double GetMissingBytes() const;
   Found FindGroup(int group);
-  bool RecordPart(std::size_t track, int group, const CodedGroup& part, std::string& error);
+  bool RecordGroup(std::size_t track, int group, const CodedGroup& coded, std::string& error);
   void DropFullCoverage();
 
   std::string FileName;
-  PartStore Parts;
+  GroupStore Groups;
   EncodeSettings Settings;
   FileHeader Header;
   std::optional<GroupCoder> Coder;
   std::vector<TrackState> States; ///< one for each of the header's tracks
   int Delay = 0; ///< the maximum number of frames by which decoding runs ahead of presentation
   std::string Manifest;
-  bool HasParts = false;
+  bool HasFolder = false;
   std::vector<GroupCost> Costs; ///< of each group that is stored
 };
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfPart.h"
+#include "cslfGroupBytes.h"
 
 #include "Coding/Containers/cslfChecksum.h"
 
@@ -12,24 +12,24 @@ namespace cslf
 {
 namespace
 {
-/// The first bytes of a part, with the version of its layout.
+/// The first bytes of a packed group, with the version of its layout.
 constexpr std::uint32_t Magic = 0x33504643;
 
-bool Unpack(ByteBuffer& buffer, std::uint32_t expected, CodedGroup& part)
+bool Unpack(ByteBuffer& buffer, std::uint32_t expected, CodedGroup& coded)
 {
   std::uint32_t magic = 0;
   std::uint32_t manifest = 0;
   std::uint32_t covered = 0;
   std::uint32_t frames = 0;
   if (!buffer.Take(magic) || magic != Magic || !buffer.Take(manifest) || manifest != expected ||
-    !buffer.Take(part.CRC) || !buffer.Take(covered) || !buffer.Take(part.SquaredError) ||
-    !buffer.Take(part.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
+    !buffer.Take(coded.CRC) || !buffer.Take(covered) || !buffer.Take(coded.SquaredError) ||
+    !buffer.Take(coded.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
   {
     return false;
   }
-  part.CoveredFully = covered != 0;
-  part.Frames.resize(frames);
-  for (CodedFrame& frame : part.Frames)
+  coded.CoveredFully = covered != 0;
+  coded.Frames.resize(frames);
+  for (CodedFrame& frame : coded.Frames)
   {
     std::uint32_t index = 0;
     if (!buffer.Take(index) || !buffer.Take(frame.Data))
@@ -113,17 +113,17 @@ std::uint32_t NumberManifest(const std::string& text)
   return static_cast<std::uint32_t>(::crc32(0, bytes, static_cast<uInt>(text.size())));
 }
 
-std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifest)
+std::vector<std::uint8_t> PackGroup(const CodedGroup& coded, std::uint32_t manifest)
 {
   ByteBuffer buffer;
   buffer.Put(Magic);
   buffer.Put(manifest);
-  buffer.Put(part.CRC);
-  buffer.Put(part.CoveredFully ? 1u : 0u);
-  buffer.Put(part.SquaredError);
-  buffer.Put(part.ParameterSets);
-  buffer.Put(static_cast<std::uint32_t>(part.Frames.size()));
-  for (const CodedFrame& frame : part.Frames)
+  buffer.Put(coded.CRC);
+  buffer.Put(coded.CoveredFully ? 1u : 0u);
+  buffer.Put(coded.SquaredError);
+  buffer.Put(coded.ParameterSets);
+  buffer.Put(static_cast<std::uint32_t>(coded.Frames.size()));
+  for (const CodedFrame& frame : coded.Frames)
   {
     buffer.Put(static_cast<std::uint32_t>(frame.Index));
     buffer.Put(frame.Data);
@@ -132,11 +132,11 @@ std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifes
   return buffer.GetBytes();
 }
 
-bool UnpackPart(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& part)
+bool UnpackGroup(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& coded)
 {
   ByteBuffer buffer(std::move(bytes));
-  part = CodedGroup();
-  return Unpack(buffer, manifest, part);
+  coded = CodedGroup();
+  return Unpack(buffer, manifest, coded);
 }
 
 bool ReadManifest(const std::vector<std::uint8_t>& bytes, std::uint32_t& manifest)

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfFieldWriter.h"
+#include "cslfFileAssembler.h"
 
 #include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfAtomicFile.h"
+#include "cslfGroupBytes.h"
 #include "cslfJSON.h"
-#include "cslfPart.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,14 +40,14 @@ constexpr double RawTexelBytes = 3.0;
 
 }
 
-FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& settings)
+FileAssembler::FileAssembler(const std::string& fileName, const EncodeSettings& settings)
   : FileName(fileName)
-  , Parts(fileName)
+  , Groups(fileName)
   , Settings(settings)
 {
 }
 
-std::vector<FrameId> FieldWriter::GetFrames(const std::vector<int>& groups) const
+std::vector<FrameId> FileAssembler::GetFrames(const std::vector<int>& groups) const
 {
   const std::vector<int> starts = this->Header.GetGroupStarts();
   std::vector<FrameId> frames;
@@ -59,7 +59,8 @@ std::vector<FrameId> FieldWriter::GetFrames(const std::vector<int>& groups) cons
   return frames;
 }
 
-void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const GeometryPlan& plan)
+void FileAssembler::Begin(
+  const Description& field, std::uint32_t checksum, const GeometryPlan& plan)
 {
   const FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
   this->Header.Groups.clear();
@@ -105,7 +106,7 @@ void FieldWriter::Begin(const Description& field, std::uint32_t checksum, const 
   this->Manifest = this->MakeManifest(checksum, plan);
 }
 
-std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
+std::string FileAssembler::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 6 }, { "cslf", CSLF_VERSION },
@@ -125,7 +126,7 @@ std::string FieldWriter::MakeManifest(std::uint32_t checksum, const GeometryPlan
   return manifest.dump();
 }
 
-RateField FieldWriter::GetRateField() const
+RateField FileAssembler::GetRateField() const
 {
   const Layout& grid = this->Header.Field.Grid;
   const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution();
@@ -135,7 +136,7 @@ RateField FieldWriter::GetRateField() const
     [this](bool hasCoverage) { return this->GetContainerBytes(hasCoverage); } };
 }
 
-double FieldWriter::GetContainerBytes(bool hasCoverage) const
+double FileAssembler::GetContainerBytes(bool hasCoverage) const
 {
   FileHeader header = this->Header;
   header.Missing.clear();
@@ -154,7 +155,7 @@ double FieldWriter::GetContainerBytes(bool hasCoverage) const
   return sum + static_cast<double>(this->Carry({}).size());
 }
 
-bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
+bool FileAssembler::OpenFolder(bool restart, std::string& warning, std::string& error)
 {
   for (const auto& [name, text] : this->Header.ToTags())
   {
@@ -165,11 +166,11 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
     }
   }
   bool discarded = false;
-  if (!this->Parts.Open(this->Manifest, restart, discarded, error))
+  if (!this->Groups.Open(this->Manifest, restart, discarded, error))
   {
     return false;
   }
-  this->HasParts = true;
+  this->HasFolder = true;
   int damaged = 0;
   this->Header.Missing.clear();
   for (int group = 0; group < this->GetGroupCount(); ++group)
@@ -194,25 +195,25 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   return true;
 }
 
-bool FieldWriter::IsMissing(int group) const
+bool FileAssembler::IsMissing(int group) const
 {
   return std::binary_search(this->Header.Missing.begin(), this->Header.Missing.end(), group);
 }
 
-FieldWriter::Found FieldWriter::FindGroup(int group)
+FileAssembler::Found FileAssembler::FindGroup(int group)
 {
-  GroupParts parts(this->Header.Tracks.size());
+  GroupTracks tracks(this->Header.Tracks.size());
   Found found = Found::Whole;
-  for (std::size_t track = 0; track < parts.size(); ++track)
+  for (std::size_t track = 0; track < tracks.size(); ++track)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
     std::string ignored;
-    if (!this->Parts.Has(role, group))
+    if (!this->Groups.Has(role, group))
     {
       found = Found::Missing;
     }
-    else if (!this->Parts.Read(role, group, parts[track], ignored) ||
-      parts[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
+    else if (!this->Groups.Read(role, group, tracks[track], ignored) ||
+      tracks[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
     {
       return Found::Damaged;
     }
@@ -221,28 +222,28 @@ FieldWriter::Found FieldWriter::FindGroup(int group)
   {
     return found;
   }
-  for (std::size_t track = 0; track < parts.size(); ++track)
+  for (std::size_t track = 0; track < tracks.size(); ++track)
   {
     std::string ignored;
-    if (!this->RecordPart(track, group, parts[track], ignored))
+    if (!this->RecordGroup(track, group, tracks[track], ignored))
     {
       return Found::Damaged;
     }
   }
-  this->Costs[group] = this->GetCost(parts);
+  this->Costs[group] = this->GetCost(tracks);
   return Found::Whole;
 }
 
-GroupCost FieldWriter::GetCost(const GroupParts& parts) const
+GroupCost FileAssembler::GetCost(const GroupTracks& tracks) const
 {
   const ContainerBytes& container = FindContainerBytes(this->FileName);
   GroupCost cost;
-  for (std::size_t track = 0; track < parts.size(); ++track)
+  for (std::size_t track = 0; track < tracks.size(); ++track)
   {
     const bool isCoverage = this->Header.Tracks[track].Kind.Role == CoverageRole;
     double& bytes = isCoverage ? cost.CoverageBytes : cost.Bytes;
-    bytes += parts.size() > 1 ? container.GroupBetweenOthers : container.Group;
-    const std::vector<CodedFrame>& frames = parts[track].Frames;
+    bytes += tracks.size() > 1 ? container.GroupBetweenOthers : container.Group;
+    const std::vector<CodedFrame>& frames = tracks[track].Frames;
     int place = 0;
     // The group before it ends about as this one does.
     int last = frames.empty() ? 0 : frames.back().Index - static_cast<int>(frames.size() - 1);
@@ -253,70 +254,70 @@ GroupCost FieldWriter::GetCost(const GroupParts& parts) const
         (offset == last ? 0.0 : container.Reordering);
       last = offset;
     }
-    cost.CoveredFully = isCoverage ? parts[track].CoveredFully : cost.CoveredFully;
+    cost.CoveredFully = isCoverage ? tracks[track].CoveredFully : cost.CoveredFully;
   }
-  cost.SquaredError = parts.front().SquaredError;
+  cost.SquaredError = tracks.front().SquaredError;
   return cost;
 }
 
-bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& error)
+bool FileAssembler::StoreGroup(int group, const GroupTracks& tracks, std::string& error)
 {
-  for (std::size_t track = 0; track < parts.size(); ++track)
+  for (std::size_t track = 0; track < tracks.size(); ++track)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
-    if (!this->RecordPart(track, group, parts[track], error))
+    if (!this->RecordGroup(track, group, tracks[track], error))
     {
       return false;
     }
-    if (!this->Parts.Write(role, group, parts[track], error))
+    if (!this->Groups.Write(role, group, tracks[track], error))
     {
-      // The preview may take the space that the part needs.
-      this->Parts.DropPreview();
-      if (!this->Parts.Write(role, group, parts[track], error))
+      // The preview may take the space that the group needs.
+      this->Groups.DropPreview();
+      if (!this->Groups.Write(role, group, tracks[track], error))
       {
         return false;
       }
     }
   }
-  this->Costs[group] = this->GetCost(parts);
+  this->Costs[group] = this->GetCost(tracks);
   this->Header.Missing.erase(
     std::find(this->Header.Missing.begin(), this->Header.Missing.end(), group));
   return true;
 }
 
-bool FieldWriter::RecordPart(
-  std::size_t track, int group, const CodedGroup& part, std::string& error)
+bool FileAssembler::RecordGroup(
+  std::size_t track, int group, const CodedGroup& coded, std::string& error)
 {
   TrackState& state = this->States[track];
-  CodedTrack& coded = this->Header.Tracks[track];
+  CodedTrack& listed = this->Header.Tracks[track];
   if (state.ParameterSets.empty())
   {
-    state.ParameterSets = part.ParameterSets;
+    state.ParameterSets = coded.ParameterSets;
     Framing framing;
-    GetBitstream(coded.Kind.Coding)
-      .ReadConfiguration(part.ParameterSets.data(), part.ParameterSets.size(), framing);
-    coded.ParameterSetsCRC = framing.ParameterSetsCRC;
+    GetBitstream(listed.Kind.Coding)
+      .ReadConfiguration(coded.ParameterSets.data(), coded.ParameterSets.size(), framing);
+    listed.ParameterSetsCRC = framing.ParameterSetsCRC;
   }
-  if (part.ParameterSets != state.ParameterSets)
+  if (coded.ParameterSets != state.ParameterSets)
   {
     error = "the encoder produced groups that do not fit together";
     return false;
   }
-  coded.GroupCRCs[group] = part.CRC;
-  state.CoveredFully = state.CoveredFully && part.CoveredFully;
-  for (std::size_t k = 0; k < part.Frames.size(); ++k)
+  listed.GroupCRCs[group] = coded.CRC;
+  state.CoveredFully = state.CoveredFully && coded.CoveredFully;
+  for (std::size_t k = 0; k < coded.Frames.size(); ++k)
   {
-    this->Delay = std::max(this->Delay, static_cast<int>(k) - part.Frames[k].Index);
+    this->Delay = std::max(this->Delay, static_cast<int>(k) - coded.Frames[k].Index);
   }
   return true;
 }
 
-void FieldWriter::DropFullCoverage()
+void FileAssembler::DropFullCoverage()
 {
   for (std::size_t track = this->States.size(); track-- > 0;)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
-    if (role.Part == Plane::Coverage && this->States[track].CoveredFully)
+    if (role.Samples == Plane::Coverage && this->States[track].CoveredFully)
     {
       this->States.erase(this->States.begin() + static_cast<std::ptrdiff_t>(track));
       this->Header.Tracks.erase(this->Header.Tracks.begin() + static_cast<std::ptrdiff_t>(track));
@@ -324,7 +325,7 @@ void FieldWriter::DropFullCoverage()
   }
 }
 
-double FieldWriter::GetStoredBytes() const
+double FileAssembler::GetStoredBytes() const
 {
   double bytes = this->GetContainerBytes(true);
   for (int group = 0; group < this->GetGroupCount(); ++group)
@@ -335,7 +336,7 @@ double FieldWriter::GetStoredBytes() const
   return bytes;
 }
 
-double FieldWriter::GetWantedBytes() const
+double FileAssembler::GetWantedBytes() const
 {
   const RateTarget& target = this->Settings.Target;
   const Layout& grid = this->Header.Field.Grid;
@@ -353,7 +354,7 @@ double FieldWriter::GetWantedBytes() const
 }
 
 /// The bytes of the groups that are not stored yet.
-double FieldWriter::GetMissingBytes() const
+double FileAssembler::GetMissingBytes() const
 {
   const double wanted = this->GetWantedBytes();
   const double stored = this->GetStoredBytes();
@@ -370,66 +371,67 @@ double FieldWriter::GetMissingBytes() const
   return frames > 0.0 ? stored / frames * missing : 0.0;
 }
 
-bool FieldWriter::HasRoom(std::string& error) const
+bool FileAssembler::HasRoom(std::string& error) const
 {
   const double stored = this->GetStoredBytes();
   const double rest = this->GetMissingBytes();
-  // The remaining data is written twice: as parts, and in the file that joins all parts.
+  // The remaining data is written twice: as single groups, and in the file that joins them.
   const double needed = stored + 2.0 * rest;
   const double least = this->GetWantedBytes() > 0.0 ? needed : stored + rest;
-  if (cslf::HasRoom(this->Parts.GetFolder(), needed, least, error))
+  if (cslf::HasRoom(this->Groups.GetFolder(), needed, least, error))
   {
     return true;
   }
   // The preview is not needed.
-  this->Parts.DropPreview();
-  return cslf::HasRoom(this->Parts.GetFolder(), needed, least, error);
+  this->Groups.DropPreview();
+  return cslf::HasRoom(this->Groups.GetFolder(), needed, least, error);
 }
 
-bool FieldWriter::CanPreview() const
+bool FileAssembler::CanPreview() const
 {
   return !this->Header.Missing.empty() &&
     this->Header.GetGroupStarts()[this->Header.Missing.front()] >= this->Header.Coarsest;
 }
 
-bool FieldWriter::WritePreview(std::string& error)
+bool FileAssembler::WritePreview(std::string& error)
 {
   // Besides what HasRoom says, for this file.
   const double needed = 2.0 * (this->GetStoredBytes() + this->GetMissingBytes());
   const auto always = [](double) { return true; };
-  if (cslf::HasRoom(this->Parts.GetFolder(), needed, needed, error) &&
-    this->Join(this->Parts.GetUnfinishedPreview(), always, error) &&
-    this->Parts.PublishPreview(error))
+  if (cslf::HasRoom(this->Groups.GetFolder(), needed, needed, error) &&
+    this->Join(this->Groups.GetUnfinishedPreview(), always, error) &&
+    this->Groups.PublishPreview(error))
   {
     return true;
   }
-  this->Parts.DropPreview();
+  this->Groups.DropPreview();
   return false;
 }
 
-int FieldWriter::CountStored() const
+int FileAssembler::CountStored() const
 {
-  return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Header.Missing.size()) : 0;
+  return this->HasFolder ? this->GetGroupCount() - static_cast<int>(this->Header.Missing.size())
+                         : 0;
 }
 
-std::string FieldWriter::DescribeKept(int stored) const
+std::string FileAssembler::DescribeKept(int stored) const
 {
   return "; " + std::to_string(stored) + " of " + std::to_string(this->GetGroupCount()) +
-    " groups of viewpoints are kept in " + this->Parts.GetFolder() +
+    " groups of viewpoints are kept in " + this->Groups.GetFolder() +
     ", and the next run resumes from them";
 }
 
-bool FieldWriter::Finish(bool replaces, const std::function<bool(double)>& progress,
+bool FileAssembler::Finish(bool replaces, const std::function<bool(double)>& progress,
   std::string& warning, std::string& error)
 {
   this->DropFullCoverage();
-  this->Parts.DropPreview();
-  return this->HasRoom(error) && this->Join(this->Parts.GetWholeName(), progress, error) &&
-    this->Parts.Publish(replaces, warning, error);
+  this->Groups.DropPreview();
+  return this->HasRoom(error) && this->Join(this->Groups.GetWholeName(), progress, error) &&
+    this->Groups.Publish(replaces, warning, error);
 }
 
 /// The first picture's packet, together with the geometry.
-std::vector<std::uint8_t> FieldWriter::Carry(const std::vector<std::uint8_t>& packet) const
+std::vector<std::uint8_t> FileAssembler::Carry(const std::vector<std::uint8_t>& packet) const
 {
   const FilePart* geometry = this->Header.FindGeometry();
   return geometry
@@ -438,7 +440,7 @@ std::vector<std::uint8_t> FieldWriter::Carry(const std::vector<std::uint8_t>& pa
 }
 
 /// Joins the stored groups.
-bool FieldWriter::Join(
+bool FileAssembler::Join(
   const std::string& fileName, const std::function<bool(double)>& progress, std::string& error)
 {
   ContainerWriter container;
@@ -457,13 +459,13 @@ bool FieldWriter::Join(
     const std::size_t tracks = this->IsMissing(group) ? 0 : this->States.size();
     for (std::size_t track = 0; good && track < tracks; ++track)
     {
-      CodedGroup part;
-      good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, group, part, error);
+      CodedGroup coded;
+      good = this->Groups.Read(this->Header.Tracks[track].Kind.Role, group, coded, error);
       if (good && group == 0 && track == 0)
       {
-        part.Frames.front().Data = this->Carry(part.Frames.front().Data);
+        coded.Frames.front().Data = this->Carry(coded.Frames.front().Data);
       }
-      good = good && container.Write(track, starts[group], this->Delay, part, error);
+      good = good && container.Write(track, starts[group], this->Delay, coded, error);
     }
     if (good && !progress((group + 1.0) / this->GetGroupCount()))
     {

@@ -5,8 +5,8 @@
  * A coded group as bytes, sealed by a checksum, for files of unfinished fields and for messages
  * between ranks. Only machines of the same kind can read it.
  */
-#ifndef cslfPart_h
-#define cslfPart_h
+#ifndef cslfGroupBytes_h
+#define cslfGroupBytes_h
 
 #include "Coding/Groups/cslfGroupCodec.h"
 
@@ -53,20 +53,21 @@ private:
   std::size_t Position = 0;
 };
 
-/// The number of a manifest, which is its CRC-32. A manifest is a text of all that parts depend on.
+/// The number of a manifest, which is its CRC-32. A manifest is a text of all that groups depend
+/// on.
 std::uint32_t NumberManifest(const std::string& text);
 
-/// A part with the number of the manifest that it was made under.
-std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifest);
+/// A group with the number of the manifest that it was made under.
+std::vector<std::uint8_t> PackGroup(const CodedGroup& coded, std::uint32_t manifest);
 
-/// False if the bytes are not a result of PackPart under that manifest.
-bool UnpackPart(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& part);
+/// False if the bytes are not a result of PackGroup under that manifest.
+bool UnpackGroup(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& coded);
 
-/// Whether bytes begin like those of PackPart, and the number of their manifest.
+/// Whether bytes begin like those of PackGroup, and the number of their manifest.
 bool ReadManifest(const std::vector<std::uint8_t>& bytes, std::uint32_t& manifest);
 
 /// The number of bytes that this takes.
-constexpr std::size_t PartHeadSize = 8;
+constexpr std::size_t GroupHeadSize = 8;
 }
 
 #endif
