@@ -28,11 +28,11 @@ cslf_add(Filters/Parallel Ranks)
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
   ArrayLayout FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
-  Phase PipelineWatch PolygonFill Requests ScenePipeline TriangleList ValidPolyData
+  Phase PolygonFill Requests ScenePipeline TriangleList ValidPolyData
   VTKCompatibility)
 
 # Reduction of fields.
-cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
+cslf_add(Filters/Resampling KeyViews TexelReducer)
 
 # Triangles that say where surfaces are.
 cslf_add(Filters/Geometry
@@ -66,10 +66,9 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry BodyGroups GeometryCodec GeometryTexels GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
-  Checksum ContainerReader FileHeader FileParts HeaderText MovieBoxes)
+  ContainerReader FileHeader FileParts MovieBoxes)
 cslf_add(Filters/Coding/Frames
-  ColorFrames ColorRows FrameConverter FrameOrder PushPull RadianceFrames TexelBytes
-  TexelRows)
+  ColorFrames ColorRows FrameConverter FrameOrder PushPull)
 cslf_add(Filters/Coding/Groups TrackDecoder)
 cslf_add(Filters/Coding/Reading
   BackgroundSteps BackgroundThread FieldReader GroupDecoder ViewpointStore)
@@ -82,7 +81,7 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/Groups GroupCodec)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
-    EncodeProbe EncodeRanks EncodeSession EncodeSettings FileAssembler GeometryPlan GroupBytes
+    EncodeProbe EncodeRanks EncodeSession EncodeSettings FileAssembler GeometryPlan
     GroupCoder GroupStore HeldOutViews ViewpointReader)
 endif ()
 
@@ -114,29 +113,29 @@ if (CSLF_ENABLE_SAMPLER)
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials
     BSDF DisplayedColor GGX Lobe SurfaceMaterial Texture)
-  cslf_add(Filters/PathTracing/Paths DirectLight PathBatch PathIntegrator PathStep SurfaceLanes)
+  cslf_add(Filters/PathTracing/Paths DirectLight PathBatch PathIntegrator SurfaceLanes)
   cslf_add(Filters/PathTracing/RadianceCache
-    CacheCheck CacheKeeper CacheShare ChartMaker ClosedBodies DiffuseEstimator DiffuseLookUp
-    GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticePatch LatticeProbe
-    LatticeRefinement LatticeRequests LatticeSum LayoutProgress MeshEdges OpenSides RadianceCache
+    CacheCheck CacheKeeper CacheShare ChartMaker DiffuseEstimator DiffuseLookUp
+    GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticeProbe
+    LatticeRefinement LatticeSum LayoutProgress MeshEdges OpenSides RadianceCache
     SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Fingerprint LightReader MeshJoin MeshMaker PointSpacing RayLanes Scene SceneBlock SceneBuilder
-    SurfaceColors TextureReader)
+    SurfaceColors)
   cslf_add(Filters/PathTracing/Shapes Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
-  cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
+  cslf_add(Filters/CubeMaps CubeMapFiles)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
   cslf_add(Filters/SceneData
-    MaterialParameters MaterialProblems SurfaceAppearance TextureImage WindowLights)
+    MaterialProblems SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds ClippedBlock
-    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars MoleculeParts PointParts)
+    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars PointParts)
   cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()

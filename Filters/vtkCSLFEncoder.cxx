@@ -8,7 +8,7 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfGuard.h"
-#include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "vtkCSLFRateControl.h"

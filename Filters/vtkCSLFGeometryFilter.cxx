@@ -15,7 +15,6 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "cslfDescription.h"

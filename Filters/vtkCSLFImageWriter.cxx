@@ -8,7 +8,6 @@
 #include "Files/cslfAtomicFile.h"
 #include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>

@@ -11,7 +11,6 @@
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfArithmetic.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "Pipeline/cslfVTKCompatibility.h"

@@ -8,10 +8,9 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfPhase.h"
-#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
-#include "Resampling/cslfNesting.h"
+#include "Resampling/cslfKeyViews.h"
 #include "Resampling/cslfTexelReducer.h"
 
 #include <vtkDataArray.h>

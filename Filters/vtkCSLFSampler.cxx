@@ -130,14 +130,8 @@ int vtkCSLFSampler::RequestInformation(
   }
   int extent[6];
   cslf::Layout(this->Viewpoints, this->Resolution).GetWholeExtent(extent);
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  const double origin[3] = { 0.0, 0.0, 0.0 };
   vtkInformation* info = outputVector->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::SPACING(), spacing, 3);
-  info->Set(vtkDataObject::ORIGIN(), origin, 3);
-  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  cslf::SplitAlongZ(info);
+  cslf::SetFieldInformation(info, extent);
   vtkDataObject::SetPointDataActiveScalarInfo(info, this->ColorType, 4);
   return 1;
 }

@@ -7,7 +7,6 @@
 #include "Console/cslfNumberChecks.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfOutputFiles.h"
-#include "Fields/cslfUnfinishedFields.h"
 #include "Options/cslfCameraOptions.h"
 #include "Pictures/cslfFrameFiles.h"
 #include "Pictures/cslfPictures.h"

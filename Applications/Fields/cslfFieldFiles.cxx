@@ -14,7 +14,6 @@
 #include "cslfImageDataFiles.h"
 #include "cslfOutputFiles.h"
 #include "cslfSceneChecks.h"
-#include "cslfUnfinishedFields.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageReader.h"

@@ -5,7 +5,6 @@
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
-#include "cslfViewerPane.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFMapper.h"

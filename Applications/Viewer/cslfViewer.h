@@ -13,8 +13,11 @@
 #include "cslfRefiningTruth.h"
 
 #include <vtkNew.h>
+#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
+#include <array>
 #include <chrono>
 #include <deque>
 #include <map>
@@ -138,6 +141,27 @@ private:
   std::chrono::steady_clock::time_point FrameStart;
   std::deque<double> FrameSeconds;
 };
+
+constexpr int TruthPane = -1; ///< stands for the reference instead of a lookup
+
+struct Viewer::Pane
+{
+  Viewer* Owner;
+  std::string Name;
+  int Lookup;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTextActor> Label;
+  double PSNR = 0.0; ///< of the lookup in this view; 0 if it was not measured
+};
+
+/// In pixels.
+inline std::array<int, 2> GetSize(vtkRenderer* renderer)
+{
+  int corner[2];
+  std::array<int, 2> size;
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  return size;
+}
 }
 
 #endif

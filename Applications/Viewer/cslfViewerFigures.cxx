@@ -5,7 +5,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Measurements/cslfNovelViews.h"
-#include "cslfViewerPane.h"
+#include "cslfViewer.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageQuality.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A light field as a folder of cube maps: names and contents of its files, and functions that write
- * and read one image. vtkCSLFImageWriter's documentation describes the folder to users.
+ * A light field as a folder of cube maps: names and contents of its files, and functions that
+ * write, check and read one image. vtkCSLFImageWriter's documentation describes the folder to
+ * users.
  */
 #ifndef cslfCubeMapFiles_h
 #define cslfCubeMapFiles_h
@@ -17,6 +18,10 @@
 
 namespace cslf
 {
+/// Whether an EXR file contains one image of that size, in rows, and OpenEXR will interpret its
+/// header correctly. OpenEXR allocates memory for whatever a header claims.
+bool IsSoundEXR(const std::vector<unsigned char>& content, int width, int height);
+
 /// The description's file in the folder.
 constexpr const char* CubeMapDescriptionName = "description.json";
 

@@ -40,18 +40,13 @@ std::string DescribeShape(Description field)
 }
 }
 
-void SplitAlongZ(vtkInformation* information)
-{
-  vtkExtentTranslator::UPDATE_SPLIT_MODE()->Set(information, vtkExtentTranslator::Z_SLAB_MODE);
-}
-
 void SetFieldInformation(vtkInformation* information, const int wholeExtent[6])
 {
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
   information->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
   information->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   information->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  SplitAlongZ(information);
+  vtkExtentTranslator::UPDATE_SPLIT_MODE()->Set(information, vtkExtentTranslator::Z_SLAB_MODE);
 }
 
 FieldStream::FieldStream(vtkAlgorithmOutput* connection)
@@ -89,11 +84,6 @@ bool FieldStream::OpenUpdated()
   const int forProgress = std::max(1, this->Whole.GetCount() / SlabCount);
   this->SlabSize = static_cast<int>(std::min<double>(fitting, forProgress));
   return true;
-}
-
-Slab FieldStream::MakeSlab(int first) const
-{
-  return { first, std::min(this->Whole.Last, first + this->SlabSize - 1) };
 }
 
 std::vector<Slab> FieldStream::PlanSlabs(const std::function<bool(int)>& isWanted) const

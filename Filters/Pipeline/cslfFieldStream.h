@@ -59,15 +59,12 @@ public:
   /// The slices that the upstream filter offers.
   const Slab& GetWhole() const { return this->Whole; }
 
-  /// The slab that begins at `first`, which must be one of the whole's slices. Slabs take moderate
-  /// memory, but are small enough to show progress.
-  Slab MakeSlab(int first) const;
-
   /// Whether some orders of slices are faster than others, as in a video.
   bool IsOrdered() const { return this->Store != nullptr; }
 
-  /// The wanted slices as slabs, in the order of least work for the upstream filter: that of the
-  /// file if it reads a video, else ascending.
+  /// The wanted slices as slabs, which take moderate memory, but are small enough to show progress.
+  /// They are in the order of least work for the upstream filter: that of the file if it reads a
+  /// video, else ascending.
   std::vector<Slab> PlanSlabs(const std::function<bool(int)>& isWanted) const;
 
   /// Announces the slabs that will be read, in this order, so that a video is decoded ahead.
@@ -106,12 +103,8 @@ private:
   std::string Error;
 };
 
-/// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
-/// share one slice, like pieces of image data.
-void SplitAlongZ(vtkInformation* information);
-
 /// Sets an output's information: a light field of that whole extent, any slices of which can be
-/// requested.
+/// requested. Pieces of it are ranges of slices, which share one, like pieces of image data.
 void SetFieldInformation(vtkInformation* information, const int wholeExtent[6]);
 }
 

@@ -4,15 +4,22 @@
  * @file
  * The phases of an algorithm's long work. A user sees the name of the present one as the
  * algorithm's GetProgressText(), and the share of the whole Update() or Write() as GetProgress().
+ * PipelineWatch calls a function whenever an upstream filter reports progress.
  */
 #ifndef cslfPhase_h
 #define cslfPhase_h
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include <vtkSmartPointer.h>
+
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <thread>
+#include <vector>
 
 class vtkAlgorithm;
 
@@ -65,6 +72,42 @@ private:
   double Shift;
   double Scale;
   double Share = 0.0;
+};
+}
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+
+namespace cslf
+{
+///@{
+/// The filters that feed a connection, which may be null, or all inputs of a filter: nearest first,
+/// each once.
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* connection);
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindInputs(vtkAlgorithm* filter);
+///@}
+
+class PipelineWatch
+{
+public:
+  /// Calls `act` from now on with each of these filters when it reports progress. If it returns
+  /// false, that filter is asked to stop. Only the calling thread calls it.
+  PipelineWatch(const std::vector<vtkSmartPointer<vtkAlgorithm>>& filters,
+    std::function<bool(vtkAlgorithm*)> act);
+
+  /// The same for all filters that feed a connection.
+  PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool(vtkAlgorithm*)> act);
+  ~PipelineWatch();
+  PipelineWatch(const PipelineWatch&) = delete;
+  PipelineWatch& operator=(const PipelineWatch&) = delete;
+
+private:
+  void Add(vtkAlgorithm* algorithm);
+
+  std::function<bool(vtkAlgorithm*)> Act;
+  std::thread::id Thread = std::this_thread::get_id();
+  std::map<vtkSmartPointer<vtkAlgorithm>, unsigned long> Observers;
+  std::set<vtkAlgorithm*> Stopped;
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/cslfRequests.h"
 
-#include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>

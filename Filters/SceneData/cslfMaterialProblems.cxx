@@ -3,7 +3,6 @@
 #include "cslfMaterialProblems.h"
 
 #include "cslfJoin.h"
-#include "cslfMaterialParameters.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

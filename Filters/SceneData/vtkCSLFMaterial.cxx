@@ -3,7 +3,7 @@
 #include "vtkCSLFMaterial.h"
 
 #include "Pipeline/cslfArrayLayout.h"
-#include "SceneData/cslfMaterialParameters.h"
+#include "SceneData/cslfMaterialProblems.h"
 #include "SceneData/cslfSurfaceAppearance.h"
 #include "SceneData/cslfTextureImage.h"
 #include "cslfColor.h"

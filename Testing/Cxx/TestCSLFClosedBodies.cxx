@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Which sides of triangles face the inside of a closed body.
-#include "PathTracing/RadianceCache/cslfClosedBodies.h"
+#include "PathTracing/RadianceCache/cslfMeshEdges.h"
 #include "cslfTesting.h"
 
 #include <glm/vec3.hpp>

@@ -5,9 +5,9 @@
 // say. The codes of radiance are the same on all machines.
 #include "cslfTesting.h"
 
+#include "Coding/Frames/cslfColorFrames.h"
 #include "Coding/Frames/cslfColorRows.h"
 #include "Coding/Frames/cslfFrameConverter.h"
-#include "Coding/Frames/cslfRadianceFrames.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Float colour: the transfer curve, quality over five decades of radiance, clipping, and refusals.
-#include "Coding/Frames/cslfRadianceFrames.h"
+#include "Coding/Frames/cslfColorFrames.h"
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"

@@ -5,7 +5,7 @@
 #include "vtkCSLFImageReader.h"
 #include "vtkCSLFImageWriter.h"
 
-#include "CubeMaps/cslfEXRHeader.h"
+#include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfJSONFile.h"
 #include "cslfDescription.h"
 #include "cslfProgressWatch.h"

@@ -4,8 +4,8 @@
 // Rows of video samples become texels exactly as the formulas say.
 #include "cslfTesting.h"
 
+#include "Coding/Frames/cslfColorRows.h"
 #include "Coding/Frames/cslfFrameConverter.h"
-#include "Coding/Frames/cslfTexelRows.h"
 #include "cslfColor.h"
 #include "cslfLayout.h"
 

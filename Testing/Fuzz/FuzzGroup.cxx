@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A part of an unfinished file.
-#include "Coding/Writing/cslfGroupBytes.h"
+#include "Coding/Writing/cslfGroupStore.h"
 #include "cslfFuzzing.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -48,11 +48,7 @@ constexpr TrackRole ColorRole{ KnownChannel::Color, Plane::Colors };
 constexpr TrackRole CoverageRole{ KnownChannel::Color, Plane::Coverage };
 constexpr TrackRole DepthRole{ KnownChannel::Depth, Plane::Numbers };
 
-/// The same tracks of any layer. Coverage is that of all channels of its layer.
-constexpr TrackRole ColorOf(int layer)
-{
-  return { { KnownChannel::Color, layer }, Plane::Colors };
-}
+/// The coverage of a layer, which is that of all its channels.
 constexpr TrackRole CoverageOf(int layer)
 {
   return { { KnownChannel::Color, layer }, Plane::Coverage };

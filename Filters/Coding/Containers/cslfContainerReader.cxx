@@ -3,7 +3,7 @@
 #include "cslfContainerReader.h"
 
 #include "Files/cslfFileSystem.h"
-#include "cslfChecksum.h"
+#include "cslfFileParts.h"
 #include "cslfMovieBoxes.h"
 
 #include <vtkErrorCode.h>

@@ -8,7 +8,7 @@
 #define cslfContainerWriter_h
 
 #include "Coding/Groups/cslfGroupCodec.h"
-#include "cslfHeaderText.h"
+#include "cslfFileParts.h"
 
 #include <cstddef>
 #include <string>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFileHeader.h"
 
+#include "Coding/Frames/cslfColorFrames.h"
 #include "Coding/Frames/cslfFrameOrder.h"
-#include "Coding/Frames/cslfRadianceFrames.h"
-#include "cslfHeaderText.h"
+#include "cslfFileParts.h"
 #include "cslfJSONText.h"
 #include "cslfJoin.h"
 

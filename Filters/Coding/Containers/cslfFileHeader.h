@@ -11,7 +11,6 @@
 #include "Coding/Codecs/cslfTrack.h"
 #include "cslfDescription.h"
 #include "cslfFileParts.h"
-#include "cslfHeaderText.h"
 
 #include <cstdint>
 #include <optional>

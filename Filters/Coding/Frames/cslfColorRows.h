@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Converts rows of red, green and blue to rows of Y'CbCr samples and back, many samples at once.
+ * Converts rows of texels to rows of samples and back, many at once: red, green and blue to Y'CbCr,
+ * depth, and coverage.
+ *
  * The matrix of ITU-R BT.709 is in integers, so that all processors give the same result.
  * Documentation/FileFormat.md has the formulas. Samples have one byte, or two for more than 8 bits,
  * in the machine's order.
@@ -13,6 +15,7 @@
 #include "vtkCSLFModule.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cslf
 {
@@ -100,6 +103,28 @@ VTKCSLF_EXPORT void ColorsToSamples(const unsigned char* colors, const SampleWei
 /// a tile and three more. Weights may have 14 bits of fraction.
 VTKCSLF_EXPORT void ColorsToChroma(const unsigned char* const rows[4], const SampleWeights& weights,
   int bits, int tile, int count, int* scratch, std::uint8_t* samples);
+
+/// Converts samples of 10 or 12 bits to depth of 16 bits: in proportion and rounded or, if `curve`
+/// is not empty, by this table. Larger samples count as the largest.
+VTKCSLF_EXPORT void SamplesToDepths(const std::uint16_t* samples, int bits,
+  const std::vector<unsigned short>& curve, int count, unsigned short* depths);
+
+/// Copies bytes to the fourth byte of each colour.
+VTKCSLF_EXPORT void SamplesToCoverage(
+  const std::uint8_t* samples, int count, unsigned char* colors);
+
+/// Sets coverage within `tolerance` of 255 or 0 to 255 or 0, and clamps colour to coverage.
+VTKCSLF_EXPORT void JoinTexels(int tolerance, int count, unsigned char* colors);
+
+/// Sets numbers to a value where the fourth component of colours is 0.
+template <typename Component>
+void FillUncovered(unsigned short fill, int count, const Component* colors, unsigned short* numbers)
+{
+  for (int k = 0; k < count; ++k)
+  {
+    numbers[k] = colors[4 * k + 3] == Component(0) ? fill : numbers[k];
+  }
+}
 }
 
 #endif

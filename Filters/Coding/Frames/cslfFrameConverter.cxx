@@ -4,10 +4,9 @@
 
 #include "cslfColor.h"
 #include "cslfColorFrames.h"
+#include "cslfColorRows.h"
 #include "cslfLayout.h"
 #include "cslfPushPull.h"
-#include "cslfRadianceFrames.h"
-#include "cslfTexelRows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryFit.h"
 
+#include "Coding/Frames/cslfColorFrames.h"
 #include "Coding/Frames/cslfPushPull.h"
-#include "Coding/Frames/cslfRadianceFrames.h"
 #include "cslfColor.h"
 #include "cslfSameSurface.h"
 

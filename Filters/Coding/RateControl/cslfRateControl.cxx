@@ -83,8 +83,6 @@ constexpr double ErrorTolerance = 0.07;
 /// correct the errors of others by very different quality.
 constexpr double MaximumChange = 3.0;
 
-constexpr double RawTexelBytes = 3.0;
-
 /// Sums and logarithms of costs up to this are finite.
 constexpr double MaximumCost = 1e18;
 

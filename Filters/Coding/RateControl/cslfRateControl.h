@@ -20,6 +20,9 @@
 
 namespace cslf
 {
+/// The bytes of a texel of raw 24-bit colour.
+constexpr double RawTexelBytes = 3.0;
+
 class VTKCSLF_EXPORT GroupStages
 {
 public:
@@ -72,8 +75,6 @@ class VTKCSLF_EXPORT RateControl
 {
 public:
   RateControl(const RateTarget& target, RateField field);
-
-  const GroupStages& GetStages() const { return this->Stages; }
 
   /// The next tasks, after the results of all earlier ones were reported; none at the end. If the
   /// target cannot be reached, returns false and gives the reason in one line.

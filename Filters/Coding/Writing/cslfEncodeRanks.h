@@ -13,7 +13,7 @@
 
 #include "Coding/Groups/cslfGroupCodec.h"
 #include "Parallel/cslfRanks.h"
-#include "cslfGroupBytes.h"
+#include "cslfGroupStore.h"
 
 #include <functional>
 #include <map>

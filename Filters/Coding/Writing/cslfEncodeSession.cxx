@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEncodeSession.h"
 
-#include "Coding/Frames/cslfRadianceFrames.h"
+#include "Coding/Frames/cslfColorFrames.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Files/cslfFileSystem.h"
 #include "Parallel/cslfRanks.h"
 #include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGuard.h"
-#include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>

@@ -4,7 +4,7 @@
 
 #include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfAtomicFile.h"
-#include "cslfGroupBytes.h"
+#include "cslfGroupStore.h"
 #include "cslfJSON.h"
 
 #include <algorithm>
@@ -34,10 +34,6 @@ const ContainerBytes& FindContainerBytes(const std::string& fileName)
 {
   return std::string(FindContainer(fileName)) == "mp4" ? BytesOfMP4 : BytesOfMatroska;
 }
-
-/// The bytes of a texel of raw 24-bit colour.
-constexpr double RawTexelBytes = 3.0;
-
 }
 
 FileAssembler::FileAssembler(const std::string& fileName, const EncodeSettings& settings)

@@ -44,8 +44,6 @@ public:
   /// What the file contains besides the field.
   void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
 
-  std::size_t GetTrackCount() const { return this->States.size(); }
-
   /// The coder of the groups, after Begin.
   const GroupCoder& GetCoder() const { return *this->Coder; }
 

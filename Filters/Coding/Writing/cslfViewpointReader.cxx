@@ -4,7 +4,7 @@
 
 #include "Pipeline/cslfFieldArrays.h"
 
-#include "Coding/Frames/cslfRadianceFrames.h"
+#include "Coding/Frames/cslfColorFrames.h"
 #include "cslfEncodeSettings.h"
 
 #include <vtkDataArray.h>

@@ -2,11 +2,422 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathIntegrator.h"
 
+#include "PathTracing/Materials/cslfLobe.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "SIMD/cslfVectorize.h"
+#include "cslfDirectLight.h"
 #include "cslfPathBatch.h"
-#include "cslfPathStep.h"
+#include "cslfSurfaceLanes.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
 
 namespace cslf
 {
+/// Advances one packet of paths by one step.
+class PathStep
+{
+public:
+  /// Of a batch's paths, which made `vertex` reflections.
+  PathStep(const PathIntegrator& paths, const PathBatch& batch, int vertex);
+
+  /// Evaluates the rays' hits and continues the paths. Adds the results to the radiances of the
+  /// batch's paths. Returns the number of shadow rays.
+  std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances);
+
+private:
+  void AddEnvironment(PathPacket& paths, const HitLanes& hits);
+  void EndWhereKnown(PathPacket& paths, const HitLanes& hits);
+  void AddEmission(const PathPacket& paths, const HitLanes& hits);
+  void MakeScattering(const PathPacket& paths);
+  void AddStored(const PathPacket& paths, const HitLanes& hits);
+  void AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPacket& paths);
+  void ChooseLobes(int lane, const BSDF& bsdf);
+  std::uint64_t AddLight(const PathPacket& paths);
+  void ChooseDirections(PathPacket& paths);
+  void EndByChance(PathPacket& paths);
+
+  const PathIntegrator& Paths;
+  const Scene& World;
+  const PathSettings& Settings;
+  const DirectLight& Light;
+  const StoredLight* Stored;
+  int Depth;
+  std::uint32_t Vertex;
+  bool AreAveraged; // as in PathBatch
+
+  // Of the packet.
+  Vec3Lanes Found; // the radiance that the step adds
+  ScatterLanes Points;
+  LaneMask Continues;    // whether paths may continue from Lambertian surfaces
+  Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
+  Lobes Open[LaneCount]; // on other surfaces, the lobes in which the path may continue
+  Lanes<float> OpenProbability;
+  Vec3Lanes Local; // the next direction
+};
+
+namespace
+{
+// Russian roulette, which ends paths at random.
+
+// From this many reflections on, paths of little weight end early.
+constexpr int RouletteDepth = 3;
+
+// The largest probability of continuing, so that paths between white surfaces end, too.
+constexpr float MaximumSurvival = 0.95f;
+
+/// The probability that a path continues, from its weight without the compression that is undone on
+/// leaving glass.
+inline float GetSurvival(const glm::vec3& beta, float compression)
+{
+  const float weight = std::max(std::max(beta.x, beta.y), beta.z) / compression;
+  return std::min(weight, MaximumSurvival);
+}
+
+// The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
+constexpr float TolerancesOfMany = 8.0f;
+
+/// Adds an environment without image to rays that miss, and ends these paths.
+CSLF_VECTORIZE void AddGradient(
+  const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
+{
+  const SkyGradient gradient = environment;
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const std::int32_t missed = hits.Mesh[i] == Hit::None ? -1 : 0;
+    const glm::vec3 radiance = paths.Beta.Get(i) * gradient.Get(paths.Rays.Direction.Get(i));
+    found.Set(i, Choose((missed & paths.Rays.Active[i]) != 0, radiance, glm::vec3(0.0f)));
+    paths.Rays.Active[i] &= ~missed;
+  }
+}
+
+CSLF_VECTORIZE void AddWeighted(const Vec3Lanes& beta, const Vec3Lanes& light, Vec3Lanes& found)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    found.Set(i, found.Get(i) + beta.Get(i) * light.Get(i));
+  }
+}
+
+/// The next directions if all surfaces were Lambertian: the weight of a sample is the base colour.
+CSLF_VECTORIZE void SampleLambertian(const Lanes<float>& x, const Lanes<float>& y,
+  const SurfaceLanes& surfaces, const LaneMask& open, PathPacket& paths, Vec3Lanes& local)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 direction = Lambert::Sample({ x[i], y[i] });
+    const float pdf = Lambert::Pdf(direction);
+    local.Set(i, direction);
+    paths.Pdf[i] = pdf;
+    paths.Beta.Set(i, paths.Beta.Get(i) * surfaces.BaseColor.Get(i));
+    paths.Rays.Active[i] = pdf > 0.0f ? paths.Rays.Active[i] & open[i] : 0;
+  }
+}
+
+/// Russian roulette.
+CSLF_VECTORIZE void SurviveAll(const Lanes<float>& x, PathPacket& paths)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 beta = paths.Beta.Get(i);
+    const float survival = GetSurvival(beta, paths.Compression[i]);
+    paths.Rays.Active[i] = x[i] < survival ? paths.Rays.Active[i] : 0;
+    paths.Beta.Set(i, beta / survival);
+  }
+}
+
+CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, PathPacket& paths)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 direction = local.Get(i);
+    const glm::vec3 world = Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction);
+    const glm::vec3 origin =
+      Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i));
+    paths.Rays.Origin.Set(i, origin);
+    paths.Rays.Direction.Set(i, world);
+    paths.Normal.Set(i, surfaces.ShadingNormal.Get(i));
+    paths.Bin[i] = GetRayBin(origin, world);
+  }
+}
+
+/// Adds the results of a packet's paths to the radiances of the batch.
+void Deposit(const Vec3Lanes& found, const PathPacket& paths, glm::vec3* radiances)
+{
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const glm::vec3 radiance = found.Get(lane);
+    if (radiance.x + radiance.y + radiance.z > 0.0f)
+    {
+      radiances[paths.Path[lane]] += radiance;
+    }
+  }
+}
+}
+
+PathStep::PathStep(const PathIntegrator& paths, const PathBatch& batch, int vertex)
+  : Paths(paths)
+  , World(paths.World)
+  , Settings(paths.Settings)
+  , Light(paths.Light)
+  , Stored(paths.Stored)
+  , Depth(batch.GetDepth() + vertex)
+  , Vertex(static_cast<std::uint32_t>(vertex) + 1)
+  , AreAveraged(batch.AreAveraged())
+{
+}
+
+std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances)
+{
+  std::uint64_t rays = 0;
+  this->AddEnvironment(paths, hits);
+  if (this->Stored && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
+  {
+    this->EndWhereKnown(paths, hits);
+  }
+  if (IsAny(paths.Rays.Active))
+  {
+    FindSurfaces(this->World, paths.Rays, hits, this->Points.Surfaces);
+    this->AddEmission(paths, hits);
+    if (this->Depth < this->Settings.MaximumDepth)
+    {
+      this->Points.Lit = paths.Rays.Active;
+      this->MakeScattering(paths);
+      this->AddStored(paths, hits);
+      rays = this->AddLight(paths);
+      this->ChooseDirections(paths);
+      if (this->AreAveraged || this->Depth >= RouletteDepth)
+      {
+        this->EndByChance(paths);
+      }
+      Leave(this->Points.Surfaces, this->Local, paths);
+      ForEachLane(this->Points.Surfaces.Scattering,
+        [&](int lane) { paths.Normal.Set(lane, this->Points.Surfaces.GetReceiverNormal(lane)); });
+    }
+    else
+    {
+      std::fill_n(paths.Rays.Active.Values, LaneCount, 0);
+    }
+  }
+  Deposit(this->Found, paths, radiances);
+  return rays;
+}
+
+void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
+{
+  const Environment& environment = this->World.GetEnvironment();
+  if (environment.GetImage().Pixels.empty())
+  {
+    AddGradient(environment.GetGradient(), hits, paths, this->Found);
+    return;
+  }
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    glm::vec3 radiance(0.0f);
+    if (!hits.IsValid(lane) && paths.Rays.Active[lane] != 0)
+    {
+      radiance = paths.Beta.Get(lane) *
+        this->Light.GetEnvironment(paths.Rays.Direction.Get(lane), paths.Pdf[lane]);
+      paths.Rays.Active[lane] = 0;
+    }
+    this->Found.Set(lane, radiance);
+  }
+}
+
+/// Adds the light of surfaces that the cache covers completely, and ends these paths.
+void PathStep::EndWhereKnown(PathPacket& paths, const HitLanes& hits)
+{
+  const float tolerances = this->AreAveraged ? TolerancesOfMany : 1.0f;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    glm::vec3 known;
+    if (paths.Rays.Active[lane] != 0 &&
+      this->Paths.LookUp(paths.Rays.Get(lane), hits.Get(lane), known, tolerances))
+    {
+      this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * known);
+      paths.Rays.Active[lane] = 0;
+    }
+  }
+}
+
+void PathStep::AddEmission(const PathPacket& paths, const HitLanes& hits)
+{
+  ForEachLane(this->Points.Surfaces.Shining,
+    [&](int lane)
+    {
+      const glm::vec3 emission = this->Light.GetEmission(paths.Rays.Get(lane),
+        paths.Normal.Get(lane), hits.Get(lane), this->Points.Surfaces.Get(lane), paths.Pdf[lane]);
+      this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * emission);
+    });
+}
+
+/// Makes the BSDFs of surfaces that are not Lambertian.
+void PathStep::MakeScattering(const PathPacket& paths)
+{
+  const SurfaceLanes& surfaces = this->Points.Surfaces;
+  if (surfaces.Scattering == 0)
+  {
+    return;
+  }
+  paths.Streams.Get1D(this->Vertex, Dimension::Lobe, this->Lobe);
+  ForEachLane(surfaces.Scattering,
+    [&](int lane)
+    {
+      this->Points.MakeScattering(lane, -paths.Rays.Direction.Get(lane));
+      this->Points.LitLobes[lane] = Lobes::All;
+      this->Open[lane] = Lobes::All;
+      this->OpenProbability[lane] = 1.0f;
+    });
+}
+
+/// Adds the diffuse light that is stored, and excludes it from later steps.
+void PathStep::AddStored(const PathPacket& paths, const HitLanes& hits)
+{
+  std::fill_n(this->Continues.Values, LaneCount, -1);
+  for (int lane = 0; this->Stored && lane < LaneCount; ++lane)
+  {
+    if (paths.Rays.Active[lane] == 0)
+    {
+      continue;
+    }
+    const Hit hit = hits.Get(lane);
+    const bool isLambertian = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
+    const BSDF* bsdf = isLambertian ? nullptr : &*this->Points.Scattering[lane];
+    if (this->Stored->HasShape(hit.Mesh))
+    {
+      this->AddFit(lane, hit, bsdf, paths);
+      continue;
+    }
+    if (!this->Stored->Covers(hit) || !(isLambertian || bsdf->Has(Lobes::Diffuse)))
+    {
+      continue;
+    }
+    const glm::vec3 albedo =
+      isLambertian ? this->Points.Surfaces.BaseColor.Get(lane) : bsdf->GetDiffuse().GetAlbedo();
+    this->Found.Set(
+      lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * this->Stored->Get(hit));
+    if (isLambertian)
+    {
+      this->Points.Lit[lane] = 0;
+      this->Continues[lane] = this->Stored->IsComplete() ? 0 : -1;
+      continue;
+    }
+    this->Points.LitLobes[lane] = Lobes::Specular;
+    this->Open[lane] = Lobes::Specular;
+    if (!this->Stored->IsComplete())
+    {
+      this->ChooseLobes(lane, *bsdf);
+    }
+  }
+}
+
+/// Adds the diffuse light that is stored as a fit, and excludes it from later steps. Light that is
+/// sampled at its sources is not part of it.
+void PathStep::AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPacket& paths)
+{
+  const bool isLit = this->Light.CanSample();
+  glm::vec3 light;
+  if ((bsdf && (isLit || !bsdf->Has(Lobes::Diffuse))) ||
+    !this->Stored->GetShape(hit, this->Points.Surfaces.Get(lane), light))
+  {
+    return;
+  }
+  const glm::vec3 albedo =
+    bsdf ? bsdf->GetDiffuse().GetAlbedo() : this->Points.Surfaces.BaseColor.Get(lane);
+  this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * light);
+  if (bsdf)
+  {
+    this->Open[lane] = Lobes::Specular;
+  }
+  else
+  {
+    this->Continues[lane] = 0;
+  }
+}
+
+/// Chooses whether the path continues from diffuse or from other lobes, and keeps the rest of the
+/// random number for the choice among these.
+void PathStep::ChooseLobes(int lane, const BSDF& bsdf)
+{
+  const float specular = bsdf.GetProbability(Lobes::Specular);
+  float& number = this->Lobe[lane];
+  const bool isSpecular = number < specular;
+  this->Open[lane] = isSpecular ? Lobes::Specular : Lobes::Diffuse;
+  this->OpenProbability[lane] = isSpecular ? specular : 1.0f - specular;
+  number = (isSpecular ? number : number - specular) / this->OpenProbability[lane];
+}
+
+/// Adds light that is sampled at its sources.
+std::uint64_t PathStep::AddLight(const PathPacket& paths)
+{
+  if (!this->Light.CanSample())
+  {
+    return 0;
+  }
+  ForEachLane(this->Points.Surfaces.Scattering,
+    [&](int lane)
+    {
+      const BSDF& bsdf = *this->Points.Scattering[lane];
+      const Lobes lobes = this->Points.LitLobes[lane];
+      this->Points.Lit[lane] =
+        bsdf.Has(lobes) && !bsdf.IsMirror(lobes) ? this->Points.Lit[lane] : 0;
+    });
+  if (!IsAny(this->Points.Lit))
+  {
+    return 0;
+  }
+  Vec3Lanes light;
+  Clear(light);
+  const std::uint64_t rays = this->Light.Sample(this->Points, paths.Streams, this->Vertex, light);
+  AddWeighted(paths.Beta, light, this->Found);
+  return rays;
+}
+
+/// Chooses the directions in which the paths continue.
+void PathStep::ChooseDirections(PathPacket& paths)
+{
+  Lanes<float> x;
+  Lanes<float> y;
+  paths.Streams.Get2D(this->Vertex, Dimension::Direction, x, y);
+  const std::uint32_t others = this->Points.Surfaces.Scattering;
+  Vec3Lanes betas;
+  LaneMask active;
+  if (others != 0)
+  {
+    betas = paths.Beta;
+    active = paths.Rays.Active;
+  }
+  SampleLambertian(x, y, this->Points.Surfaces, this->Continues, paths, this->Local);
+  ForEachLane(others,
+    [&](int lane)
+    {
+      const BSDF& bsdf = *this->Points.Scattering[lane];
+      BSDFSample sample;
+      const bool goesOn = bsdf.Has(this->Open[lane]) &&
+        bsdf.Sample(this->Lobe[lane], { x[lane], y[lane] }, sample, this->Open[lane]);
+      paths.Rays.Active[lane] = goesOn ? active[lane] : 0;
+      paths.Beta.Set(lane, betas.Get(lane) * sample.Weight / this->OpenProbability[lane]);
+      paths.Compression[lane] *= sample.Compression;
+      paths.Pdf[lane] = sample.Pdf;
+      this->Local.Set(lane, sample.Direction);
+    });
+}
+
+/// Ends paths of little weight.
+void PathStep::EndByChance(PathPacket& paths)
+{
+  Lanes<float> x;
+  paths.Streams.Get1D(this->Vertex, Dimension::Roulette, x);
+  SurviveAll(x, paths);
+}
+
 StoredLight::~StoredLight() = default;
 
 PathIntegrator::PathIntegrator(

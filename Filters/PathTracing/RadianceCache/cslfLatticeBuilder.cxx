@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLatticeBuilder.h"
 
-#include "cslfLatticePatch.h"
 #include "cslfLatticeSum.h"
 
 #include <glm/common.hpp>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The edges of a mesh's triangles, by which neighbours are found.
+ * The edges of a mesh's triangles, by which neighbours are found, and the closed bodies that they
+ * tell.
  */
 #ifndef cslfMeshEdges_h
 #define cslfMeshEdges_h
@@ -102,6 +103,12 @@ struct MeshEdge
 /// Sorts edges by their ends, and those between the same ends by their triangles, which they have
 /// now. There are `places` numbers of ends.
 void SortEdges(std::vector<MeshEdge>& edges, std::uint32_t places, const LayoutProgress& progress);
+
+/// For each triangle of a mesh 1 for the front or 2 for the back, if that side faces the inside of
+/// a body that the mesh closes by itself; else 0. Vertices at the same place count as one. A body
+/// is closed if each edge belongs to two triangles that run along it in opposite directions.
+std::vector<std::uint8_t> FindInsides(
+  const Mesh& mesh, const LayoutProgress& progress = LayoutProgress());
 }
 
 #endif

@@ -6,7 +6,7 @@
 #include "PathTracing/Paths/cslfSurfaceLanes.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
-#include "cslfClosedBodies.h"
+#include "cslfMeshEdges.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

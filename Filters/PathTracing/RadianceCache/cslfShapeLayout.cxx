@@ -3,7 +3,6 @@
 #include "cslfShapeLayout.h"
 
 #include "PathTracing/Rays/cslfHitGeometry.h"
-#include "cslfClosedBodies.h"
 #include "cslfMeshEdges.h"
 #include "cslfShapePoints.h"
 

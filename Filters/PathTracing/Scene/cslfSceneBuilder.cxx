@@ -16,7 +16,6 @@
 #include "cslfPointSpacing.h"
 #include "cslfSceneBlock.h"
 #include "cslfSurfaceColors.h"
-#include "cslfTextureReader.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellData.h>

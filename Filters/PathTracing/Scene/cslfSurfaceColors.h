@@ -2,22 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The colours of points or cells, from arrays of colours or through lookup tables.
+ * The colours of points or cells, from arrays of colours or through lookup tables, and the textures
+ * of vtkCSLFMaterial as those of the tracer.
  */
 #ifndef cslfSurfaceColors_h
 #define cslfSurfaceColors_h
 
 #include "PathTracing/Materials/cslfTexture.h"
+#include "PathTracing/Shapes/cslfMesh.h"
 
+#include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -90,6 +97,31 @@ private:
   double Range[2];
   std::map<vtkScalarsToColors*, Scale> Scales;
   std::mutex Mapping; ///< tables do not allow several threads
+};
+}
+
+class vtkDataObject;
+
+namespace cslf
+{
+/// The CSLF:DisplayedWhite of a material; 0 in all components unless all are above 0.
+glm::vec3 GetDisplayedWhite(vtkDataObject* material);
+
+/// Reads each image once, even if many blocks share its pixels.
+class TextureReader
+{
+public:
+  MaterialTextures Read(vtkDataObject* material);
+
+private:
+  using Key = std::tuple<const void*, int, int, int, TextureWrap, TextureWrap, bool,
+    std::array<std::uint8_t, 4>, TextureKind, float, float, float>;
+
+  std::shared_ptr<const Texture> ReadSlot(vtkDataObject* material, int slot, TextureKind kind);
+
+  /// The textures and their pixels, which are kept because the address of freed pixels could be
+  /// reused.
+  std::map<Key, std::pair<vtkSmartPointer<vtkDataArray>, std::shared_ptr<const Texture>>> Known;
 };
 }
 

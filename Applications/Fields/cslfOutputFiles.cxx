@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfUnfinishedFields.h"
+#include "cslfOutputFiles.h"
 
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
-
 #include "vtkCSLFDecoder.h"
 
 #include <vtkIdTypeArray.h>
