@@ -335,7 +335,7 @@ int vtkCSLFEncoder::WriteInput()
   std::optional<cslf::CacheKeeper> keeper;
   cslf::EncodeJob job = this->MakeJob();
   const cslf::KeptRequests requests(job.Connection);
-  job.Synchronize = [&keeper](bool isWell) { return keeper->Synchronize(isWell); };
+  job.Synchronize = [&keeper](bool hasSucceeded) { return keeper->Synchronize(hasSucceeded); };
   cslf::EncodeSession session(job);
   if (session.Check(fault))
   {

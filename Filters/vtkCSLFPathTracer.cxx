@@ -212,8 +212,8 @@ vtkExecutive* vtkCSLFPathTracer::CreateDefaultExecutive()
     return this->Superclass::CreateDefaultExecutive();
   }
   auto* executive = cslf::ScenePipeline::New();
-  executive->MustMeet = [this] { return this->MustGather(); };
-  executive->MeetAsFailed = [this]
+  executive->MustGather = [this] { return this->MustGather(); };
+  executive->GatherAsFailed = [this]
   {
     std::string error = "its input has failed.";
     cslf::ShareError(this->Controller, error);
@@ -415,7 +415,7 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
 {
   if (auto* executive = dynamic_cast<cslf::ScenePipeline*>(this->GetExecutive()))
   {
-    executive->NoteMeeting();
+    executive->SetGathered();
   }
   const std::vector<vtkDataObject*> inputs = this->GetSceneInputs(inputVector);
   // Other ranks are met in BuildScene.

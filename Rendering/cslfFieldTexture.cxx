@@ -63,7 +63,7 @@ void FieldTexture::SetStore(std::shared_ptr<FieldStore> store)
   this->Surfaces.reset();
   this->HasLoaded = false;
   this->Damaged = 0;
-  this->Brought = 0;
+  this->UploadedViewpoints = 0;
 }
 
 void FieldTexture::SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfaces)
@@ -198,7 +198,7 @@ void FieldTexture::Load(const WantedTiles& wanted)
         samples, tile, this->Present.GetBlock(face, tile), this->Present.GetSlot(wanted.Slice));
     }
   }
-  ++this->Brought;
+  ++this->UploadedViewpoints;
   this->Present.SetPresent(wanted.Slice, wanted.Tiles);
   if (this->Present.CountNodes(wanted.Level) <= MaximumSceneNodes)
   {

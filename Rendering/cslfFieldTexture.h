@@ -72,12 +72,12 @@ public:
   /// Whether all required viewpoints are among those that are known to be missing.
   bool LacksAll() const
   {
-    return this->HasLoaded && this->Brought == 0 && !this->Store->GetMissing().empty();
+    return this->HasLoaded && this->UploadedViewpoints == 0 && !this->Store->GetMissing().empty();
   }
 
   /// How many required viewpoints turned out to be damaged, and how many intact.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
-  int GetNumberOfViewpoints() const { return this->Brought; }
+  int GetNumberOfViewpoints() const { return this->UploadedViewpoints; }
 
   /// What is known about the positions of the scene's surfaces, after a store was set.
   const SceneGrid& GetScene() const { return this->Scene; }
@@ -130,7 +130,7 @@ private:
   std::size_t Missing = 0;
   bool HasLoaded = false; ///< since the store was set
   int Damaged = 0;
-  int Brought = 0;
+  int UploadedViewpoints = 0;
   bool IsChanged = false; ///< since the tables were made
   unsigned int Changes = 0;
   std::array<Handle, FaceCount> Tables{};

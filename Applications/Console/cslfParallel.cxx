@@ -41,9 +41,9 @@ vtkMultiProcessController* GetController()
 }
 
 /// Whether no process has an error.
-bool Agree(bool isWell)
+bool Agree(bool hasSucceeded)
 {
-  const int mine = isWell ? 1 : 0;
+  const int mine = hasSucceeded ? 1 : 0;
   int all = mine;
   GetController()->AllReduce(&mine, &all, 1, vtkCommunicator::MIN_OP);
   return all == 1;
@@ -137,7 +137,7 @@ SharedWork::~SharedWork()
   GetState().IsBroken = std::uncaught_exceptions() > 0;
 }
 
-Ending Conclude(const std::string& error)
+Ending EndTogether(const std::string& error)
 {
   const State& state = GetState();
   if (!state.IsShared)

@@ -67,7 +67,7 @@ struct Ending
 
 /// Gathers the results of all processes. Each calls this at the end of a command, with its error.
 /// The first process prints the error of the first that failed.
-Ending Conclude(const std::string& error);
+Ending EndTogether(const std::string& error);
 }
 
 #endif

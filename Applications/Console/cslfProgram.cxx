@@ -51,7 +51,7 @@ int Run(const Command& command, bool isJSON)
     const std::string text = exception.what();
     error = text.find(error) != std::string::npos ? text : error;
   }
-  const Ending ending = Conclude(error);
+  const Ending ending = EndTogether(error);
   if (ending.HasFailed)
   {
     if (!ending.Error.empty())

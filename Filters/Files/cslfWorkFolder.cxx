@@ -167,7 +167,7 @@ std::string ResolveTarget(const std::string& name)
   return ToName(failure ? target : linked);
 }
 
-WorkFolder::WorkFolder(const std::string& target, Judge isOurs, Lister list)
+WorkFolder::WorkFolder(const std::string& target, NameTest isOurs, Lister list)
   : Target(ResolveTarget(target))
   , Folder(GetWorkFolder(this->Target))
   , IsOurs(std::move(isOurs))

@@ -80,14 +80,14 @@ class WorkFolder
 {
 public:
   /// Whether a file name is one of those that are made in this folder.
-  using Judge = std::function<bool(const std::string& name)>;
+  using NameTest = std::function<bool(const std::string& name)>;
 
   /// The names of those files of a folder that are ours, in the order of removal.
   using Lister = std::function<std::vector<std::string>(const std::string& folder)>;
 
   /// `isOurs` recognises the files that are kept for a later run, and those being written. If OUT
   /// is a folder, `list` returns the files of such a folder.
-  WorkFolder(const std::string& target, Judge isOurs, Lister list = nullptr);
+  WorkFolder(const std::string& target, NameTest isOurs, Lister list = nullptr);
 
   /// Removes what was being written, and the folder if nothing is kept for a later run.
   ~WorkFolder();
@@ -146,7 +146,7 @@ private:
   std::string Target;
   std::string Folder;
   std::string Scratch; ///< what is being written; empty unless the folder is reserved
-  Judge IsOurs;
+  NameTest IsOurs;
   Lister List;
   FileLock Holder;
   bool IsLocked = false;

@@ -9,17 +9,17 @@ namespace cslf
 {
 vtkStandardNewMacro(ScenePipeline);
 
-bool ScenePipeline::Meets() const
+bool ScenePipeline::Gathers() const
 {
-  return this->Algorithm && this->MustMeet && this->MustMeet();
+  return this->Algorithm && this->MustGather && this->MustGather();
 }
 
-void ScenePipeline::EndUpdate(bool isWell)
+void ScenePipeline::EndUpdate(bool isDone)
 {
-  if (!isWell && !this->HasMet)
+  if (!isDone && !this->HasGathered)
   {
-    this->HasMet = true;
-    this->MeetAsFailed();
+    this->HasGathered = true;
+    this->GatherAsFailed();
   }
 }
 
@@ -30,13 +30,13 @@ vtkTypeBool ScenePipeline::ProcessRequest(
   const bool isInformation = request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) != 0;
   const bool isExtent =
     request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0;
-  if (!this->Meets() || !(isData || isInformation || isExtent))
+  if (!this->Gathers() || !(isData || isInformation || isExtent))
   {
     return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
   if (isData)
   {
-    this->HasMet = false;
+    this->HasGathered = false;
     const vtkTypeBool done =
       this->IsBroken ? 0 : this->Superclass::ProcessRequest(request, inputs, outputs);
     this->EndUpdate(done != 0);
@@ -55,9 +55,9 @@ int ScenePipeline::UpdateInformation()
 
 vtkTypeBool ScenePipeline::Update(int port, vtkInformationVector* requests)
 {
-  this->HasMet = false;
+  this->HasGathered = false;
   const vtkTypeBool done = this->Superclass::Update(port, requests);
-  if (this->Meets())
+  if (this->Gathers())
   {
     this->EndUpdate(done != 0);
   }

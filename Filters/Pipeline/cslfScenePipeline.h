@@ -23,11 +23,11 @@ public:
 
   /// Whether the filter gathers a scene when it executes, and the collective call that it makes if
   /// its input has failed.
-  std::function<bool()> MustMeet;
-  std::function<void()> MeetAsFailed;
+  std::function<bool()> MustGather;
+  std::function<void()> GatherAsFailed;
 
   /// Notes that the filter has made its collective call, or does not need it.
-  void NoteMeeting() { this->HasMet = true; }
+  void SetGathered() { this->HasGathered = true; }
 
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -43,10 +43,10 @@ private:
   ScenePipeline(const ScenePipeline&) = delete;
   void operator=(const ScenePipeline&) = delete;
 
-  bool Meets() const;
-  void EndUpdate(bool isWell);
+  bool Gathers() const;
+  void EndUpdate(bool isDone);
 
-  bool HasMet = false;
+  bool HasGathered = false;
   bool IsBroken = false; ///< an earlier pass of this update has failed
 };
 }

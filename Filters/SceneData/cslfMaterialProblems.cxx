@@ -36,7 +36,7 @@ std::string Count(int components)
 }
 
 /// The problem of an array, or nothing.
-std::string Judge(vtkAbstractArray* array, int components)
+std::string DescribeMismatch(vtkAbstractArray* array, int components)
 {
   if (!vtkDataArray::SafeDownCast(array))
   {
@@ -98,7 +98,7 @@ void MaterialProblems::FindUnusedParameters(vtkFieldData* fields)
   for (const material::Parameter& parameter : material::Parameters)
   {
     vtkAbstractArray* array = fields->GetAbstractArray(parameter.Name);
-    const std::string problem = array ? Judge(array, parameter.Components) : "";
+    const std::string problem = array ? DescribeMismatch(array, parameter.Components) : "";
     if (!problem.empty())
     {
       this->Unused.insert(std::string(parameter.Name) + " " + problem);
@@ -135,7 +135,7 @@ void MaterialProblems::FindUnusedAttributes(vtkDataSet* data)
       vtkAbstractArray* array = fields->GetAbstractArray(parameter.Name);
       const Attribute* attribute = Find(attributes, parameter.Name);
       const std::string problem = !array ? ""
-        : attribute                      ? Judge(array, attribute->Components)
+        : attribute                      ? DescribeMismatch(array, attribute->Components)
                                          : "(expected in the field data)";
       if (!problem.empty() && (!attribute || array->GetNumberOfTuples() > 0))
       {
@@ -156,7 +156,8 @@ void MaterialProblems::FindOutOfRange(vtkDataObject* data)
   for (const material::Parameter& parameter : material::Parameters)
   {
     vtkAbstractArray* array = data->GetFieldData()->GetAbstractArray(parameter.Name);
-    for (int c = 0; array && Judge(array, parameter.Components).empty() && c < parameter.Components;
+    for (int c = 0;
+         array && DescribeMismatch(array, parameter.Components).empty() && c < parameter.Components;
          ++c)
     {
       const double value = vtkDataArray::SafeDownCast(array)->GetComponent(0, c);
@@ -175,7 +176,7 @@ void MaterialProblems::FindOutOfRange(vtkDataObject* data)
     for (const Attribute& attribute : attributes)
     {
       vtkAbstractArray* array = fields->GetAbstractArray(attribute.Name);
-      const bool isUsed = array && Judge(array, attribute.Components).empty();
+      const bool isUsed = array && DescribeMismatch(array, attribute.Components).empty();
       const vtkIdType count = isUsed ? CountInvalid(vtkDataArray::SafeDownCast(array)) : 0;
       if (count > 0)
       {

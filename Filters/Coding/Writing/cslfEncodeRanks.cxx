@@ -118,9 +118,9 @@ EncodeRanks::EncodeRanks(vtkMultiProcessController* controller)
 {
 }
 
-EncodeRanks::Verdict EncodeRanks::Agree(bool isWell, const std::string& shared, int fromRoot)
+EncodeRanks::Verdict EncodeRanks::Agree(bool hasSucceeded, const std::string& shared, int fromRoot)
 {
-  cslf::EncodeRanks::Verdict verdict{ isWell ? -1 : 0, false, fromRoot };
+  cslf::EncodeRanks::Verdict verdict{ hasSucceeded ? -1 : 0, false, fromRoot };
   if (this->Team.GetCount() == 1)
   {
     return verdict;
@@ -129,7 +129,7 @@ EncodeRanks::Verdict EncodeRanks::Agree(bool isWell, const std::string& shared, 
   auto number = static_cast<std::uint32_t>(fromRoot);
   if (this->Team.GetRank() == 0)
   {
-    failed = static_cast<std::uint32_t>(this->FindFailed(isWell, shared, verdict.Differs));
+    failed = static_cast<std::uint32_t>(this->FindFailed(hasSucceeded, shared, verdict.Differs));
     for (int rank = 1; rank < this->Team.GetCount(); ++rank)
     {
       ByteBuffer message = MakeMessage(Topic::Verdict);
@@ -141,7 +141,7 @@ EncodeRanks::Verdict EncodeRanks::Agree(bool isWell, const std::string& shared, 
   else
   {
     ByteBuffer state = MakeMessage(State);
-    state.Put(isWell ? 0u : 1u);
+    state.Put(hasSucceeded ? 0u : 1u);
     state.Put(std::vector<std::uint8_t>(shared.begin(), shared.end()));
     this->Team.Post(0, state.GetBytes());
     // Work that was handed out before another rank failed may still be on its way.
@@ -159,10 +159,10 @@ EncodeRanks::Verdict EncodeRanks::Agree(bool isWell, const std::string& shared, 
   return verdict;
 }
 
-int EncodeRanks::FindFailed(bool isWell, const std::string& shared, bool& differs)
+int EncodeRanks::FindFailed(bool hasSucceeded, const std::string& shared, bool& differs)
 {
   const std::vector<std::uint8_t> expected(shared.begin(), shared.end());
-  int failed = isWell ? this->FailedRank : 0;
+  int failed = hasSucceeded ? this->FailedRank : 0;
   bool equal = true;
   for (int others = this->Team.GetCount() - 1; others > 0;)
   {

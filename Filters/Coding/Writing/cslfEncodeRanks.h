@@ -50,7 +50,7 @@ public:
 
   /// Called by all ranks: finds out whether any has an error, and whether `shared` is the same on
   /// all. Every rank gets rank 0's number.
-  Verdict Agree(bool isWell, const std::string& shared, int fromRoot);
+  Verdict Agree(bool hasSucceeded, const std::string& shared, int fromRoot);
 
   /// Rank 0: lets all ranks do the tasks, at most `atOnce` at a time. True when all are done.
   bool DoTasks(std::vector<CodingTask> tasks, int atOnce, const Worker& make, const Receiver& take);
@@ -71,7 +71,7 @@ public:
   int GetFailedRank() const { return this->FailedRank; }
 
 private:
-  int FindFailed(bool isWell, const std::string& shared, bool& differs);
+  int FindFailed(bool hasSucceeded, const std::string& shared, bool& differs);
   std::vector<CodingTask> ChooseTasks(int rank);
   void Handle(Ranks::Message message);
   void HandleShare(ByteBuffer& content);

@@ -318,11 +318,11 @@ CacheKeeper::Plan CacheKeeper::Join(const std::string& key, const std::string& s
   return worst != Absent && this->IsOfAll(shared) ? Plan::Together : Plan::Alone;
 }
 
-bool CacheKeeper::Synchronize(bool isWell)
+bool CacheKeeper::Synchronize(bool hasSucceeded)
 {
   if (!this->HasMet)
   {
-    this->Meet(isWell ? Absent : Failed);
+    this->Meet(hasSucceeded ? Absent : Failed);
   }
   return !this->IsBroken;
 }

@@ -42,9 +42,9 @@ public:
   /// together if `shared`, which identifies the cache and its use, is the same on all.
   Plan Join(const std::string& key, const std::string& shared, bool isThere);
 
-  /// A rank needs no more cache, because its work is done or failed. `isWell` says whether there
-  /// was no error. False if there was an error on a rank that did not join.
-  bool Synchronize(bool isWell);
+  /// A rank needs no more cache, because its work is done or failed. `hasSucceeded` says whether
+  /// there was no error. False if there was an error on a rank that did not join.
+  bool Synchronize(bool hasSucceeded);
 
   /// Whether all joined ranks had the cache.
   bool IsEverywhere() const { return this->AllHave; }

@@ -34,7 +34,7 @@ public:
   /// work.
   int GetOwner(std::size_t point) const
   {
-    return static_cast<int>(point / DealtPoints % static_cast<std::size_t>(this->GetCount()));
+    return static_cast<int>(point / PointsPerShare % static_cast<std::size_t>(this->GetCount()));
   }
 
   /// Completes the values of points from number `first` on, of which each rank has computed its
@@ -45,18 +45,17 @@ public:
     static_assert(std::is_trivially_copyable<Value>::value, "it is sent as bytes");
     for (std::size_t begin = 0; begin < values.size(); begin += MaximumAtOnce)
     {
-      this->CompletePart(values, first, begin, std::min(begin + MaximumAtOnce, values.size()));
+      this->ShareRange(values, first, begin, std::min(begin + MaximumAtOnce, values.size()));
     }
   }
 
 private:
-  static constexpr std::size_t DealtPoints = 4;
+  static constexpr std::size_t PointsPerShare = 4;
   static constexpr std::size_t MaximumAtOnce = std::size_t(1)
     << 20; // because MPI counts bytes in int
 
   template <typename Value>
-  void CompletePart(
-    std::vector<Value>& values, std::size_t first, std::size_t begin, std::size_t end)
+  void ShareRange(std::vector<Value>& values, std::size_t first, std::size_t begin, std::size_t end)
   {
     const int count = this->GetCount();
     std::vector<std::size_t> sizes(count, 0);
