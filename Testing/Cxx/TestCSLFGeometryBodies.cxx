@@ -138,12 +138,8 @@ vtkSmartPointer<vtkPolyData> MakeCubes()
   return cubes;
 }
 
-vtkSmartPointer<vtkPolyData> Sample(int triangles)
+vtkSmartPointer<vtkPolyData> SampleScene(vtkMultiBlockDataSet* scene, int triangles)
 {
-  vtkNew<vtkMultiBlockDataSet> scene;
-  scene->SetBlock(0, MakeBalls());
-  scene->SetBlock(1, MakeSticks());
-  scene->SetBlock(2, MakeCubes());
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputData(scene);
   sampler->AutomaticCubeOff();
@@ -157,6 +153,15 @@ vtkSmartPointer<vtkPolyData> Sample(int triangles)
   auto geometry = vtkSmartPointer<vtkPolyData>::New();
   geometry->ShallowCopy(sampler->GetGeometry());
   return geometry;
+}
+
+vtkSmartPointer<vtkPolyData> Sample(int triangles)
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, MakeBalls());
+  scene->SetBlock(1, MakeSticks());
+  scene->SetBlock(2, MakeCubes());
+  return SampleScene(scene, triangles);
 }
 
 vtkDataArray* GetGroups(vtkPolyData* geometry)
@@ -194,6 +199,43 @@ void CheckPlaces(vtkPolyData* geometry)
   }
   std::cout << "Points lie up to " << worst << " from where they should.\n";
   CSLF_CHECK(worst < 0.02);
+}
+
+/// Of more tiny balls than the limit allows, larger ones stand for all: together they are as wide.
+void TestThinning()
+{
+  constexpr int points = 6000;
+  constexpr double radius = 0.01;
+  constexpr int triangles = 1000;
+  vtkNew<vtkPolyData> cloud;
+  vtkNew<vtkPoints> places;
+  vtkNew<vtkCellArray> vertices;
+  for (int i = 0; i < points; ++i)
+  {
+    const double x = std::fmod(0.618034 * i, 1.0) - 0.5;
+    const double z = (i + 0.5) / points - 0.5;
+    vertices->InsertNextCell({ places->InsertNextPoint(
+      Box.Center.x + 6.0 * x, Box.Center.y + 0.1 * x, Box.Center.z + 6.0 * z) });
+  }
+  cloud->SetPoints(places);
+  cloud->SetVerts(vertices);
+  AddRadius("CSLF:PointRadius", radius, cloud);
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, cloud);
+  const auto geometry = SampleScene(scene, triangles);
+  CSLF_CHECK(GetGroups(geometry) && GetGroups(geometry)->GetComponent(0, 3) == 1.0);
+  CSLF_CHECK(geometry->GetNumberOfPolys() <= 5 * triangles);
+  CSLF_CHECK(geometry->GetNumberOfPolys() > 4 * triangles);
+  vtkDataArray* placements = geometry->GetFieldData()->GetArray(cslf::GeometryPlacementsName);
+  double sum = 0.0;
+  for (vtkIdType i = 0; placements && i < placements->GetNumberOfTuples(); ++i)
+  {
+    sum += std::pow(placements->GetComponent(i, 0) / radius, 2.0);
+  }
+  CSLF_CHECK(placements);
+  std::cout << geometry->GetNumberOfPolys() << " triangles of balls stand for " << points
+            << ", and are as wide as " << sum << ".\n";
+  CSLF_CHECK(std::abs(sum - points) < 0.05 * points);
 }
 
 double FindColorError(vtkPolyData* geometry, vtkPolyData* other)
@@ -298,6 +340,8 @@ int TestCSLFGeometryBodies(int, char*[])
   // Bodies may have five times as many triangles as other surfaces, and not more.
   const auto coarse = Sample(200);
   CSLF_CHECK(!GetGroups(coarse) && coarse->GetNumberOfPolys() <= 200);
+
+  TestThinning();
 
   // A few bodies are smaller as triangles.
   Count = 6;

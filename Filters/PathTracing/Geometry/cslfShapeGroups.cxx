@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace cslf
@@ -40,17 +41,22 @@ constexpr float MaximumInstanceTexels = 16.0f;
 /// How far outlines of balls and sticks may be off, in texels.
 constexpr float OutlineTexels = 0.1f;
 
-/// Balls are an octahedron, or an icosahedron whose triangles are divided into four that often, up
-/// to twice.
-constexpr std::array<int, 4> BallDivisions{ -1, 0, 1, 2 };
+/// Balls are a platonic solid, whose triangles may be divided into four, that often. The first
+/// kinds are for more balls than others allow: their colours cannot follow the light around a ball.
+struct BallKind
+{
+  int Solid;
+  int Divisions;
+};
+constexpr std::array<BallKind, 5> BallKinds{ { { VTK_SOLID_TETRAHEDRON, 0 },
+  { VTK_SOLID_OCTAHEDRON, 0 }, { VTK_SOLID_ICOSAHEDRON, 0 }, { VTK_SOLID_ICOSAHEDRON, 1 },
+  { VTK_SOLID_ICOSAHEDRON, 2 } } };
+constexpr int FewestColors = 2;
 
 /// If there are too many balls even so, some of them stand for all, and are larger (Cook,
 /// Halstead, Planck, Ryu, "Stochastic Simplification of Aggregate Detail", 2007): up to this
 /// radius, in texels.
 constexpr float MaximumThinnedTexels = 0.5f;
-
-/// The part of the limit that random choices aim at, so that they do not exceed it.
-constexpr double ThinnedShare = 0.98;
 
 /// The sides of a stick.
 constexpr int MinimumStickSides = 6;
@@ -85,18 +91,18 @@ float GetArea(const SurfaceMesh& mesh)
   return sum;
 }
 
-/// One of BallDivisions, around the unit sphere: a convex body has a mean outline of a quarter of
+/// One of BallKinds, around the unit sphere: a convex body has a mean outline of a quarter of
 /// its area (Cauchy), so this one has the sphere's.
-SurfaceMesh MakeBall(int divisions)
+SurfaceMesh MakeBall(const BallKind& kind)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
-  solid->SetSolidType(divisions < 0 ? VTK_SOLID_OCTAHEDRON : VTK_SOLID_ICOSAHEDRON);
+  solid->SetSolidType(kind.Solid);
   vtkNew<vtkLinearSubdivisionFilter> divider;
   divider->SetInputConnection(solid->GetOutputPort());
-  divider->SetNumberOfSubdivisions(divisions);
+  divider->SetNumberOfSubdivisions(kind.Divisions);
   solid->Update();
   divider->Update();
-  SurfaceMesh ball = MakeMesh(divisions > 0 ? divider->GetOutput() : solid->GetOutput());
+  SurfaceMesh ball = MakeMesh(kind.Divisions > 0 ? divider->GetOutput() : solid->GetOutput());
   for (glm::vec3& point : ball.Points)
   {
     point = glm::normalize(point);
@@ -180,17 +186,18 @@ struct Ball
 class ShapeSorter
 {
 public:
-  /// Outlines may be off by that in scene space.
-  ShapeSorter(
-    const Scene& scene, const SeenPlaces& seen, float maximumExcess, const Progress& progress)
+  /// Outlines may be off by that in scene space. Balls are of that kind or a later one.
+  ShapeSorter(const Scene& scene, const SeenPlaces& seen, float maximumExcess, int firstKind,
+    const Progress& progress)
     : World(scene)
     , Seen(seen)
     , MaximumExcess(maximumExcess)
+    , FirstKind(firstKind)
     , GoOn(progress)
   {
-    for (std::size_t i = 0; i < BallDivisions.size(); ++i)
+    for (std::size_t i = 0; i < BallKinds.size(); ++i)
     {
-      this->Balls[i].Prototype = MakeBall(BallDivisions[i]);
+      this->Balls[i].Prototype = MakeBall(BallKinds[i]);
       this->Balls[i].IsClosed = true;
       this->Balls[i].IsBall = true;
       this->Excess[i] = glm::length(this->Balls[i].Prototype.Points.front()) - 1.0f;
@@ -294,7 +301,7 @@ private:
 
   void AddBall(const Ball& ball)
   {
-    const auto fine = std::find_if(this->Excess.begin(), this->Excess.end() - 1,
+    const auto fine = std::find_if(this->Excess.begin() + this->FirstKind, this->Excess.end() - 1,
       [&](float excess) { return excess * ball.Radius <= this->MaximumExcess; });
     const auto found = fine - this->Excess.begin();
     this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[found]);
@@ -373,10 +380,11 @@ private:
   const Scene& World;
   const SeenPlaces& Seen;
   float MaximumExcess;
+  int FirstKind;
   const Progress& GoOn;
   std::size_t Bodies = 0;
-  std::array<InstanceGroup, BallDivisions.size()> Balls;
-  std::array<float, BallDivisions.size()> Excess{};
+  std::array<InstanceGroup, BallKinds.size()> Balls;
+  std::array<float, BallKinds.size()> Excess{};
   std::vector<InstanceGroup> Sticks;
   std::vector<InstanceGroup> Instances;
 };
@@ -470,7 +478,7 @@ bool ThinBalls(std::vector<InstanceGroup>& groups, std::size_t maximumTriangles,
   {
     return false;
   }
-  const double share = ThinnedShare * static_cast<double>(maximumTriangles - others) /
+  const double share = static_cast<double>(maximumTriangles - others) /
     static_cast<double>(std::max<std::size_t>(balls, 1));
   const auto growth = static_cast<float>(1.0 / std::sqrt(share));
   if (growth * radius > MaximumThinnedTexels * texel)
@@ -479,18 +487,28 @@ bool ThinBalls(std::vector<InstanceGroup>& groups, std::size_t maximumTriangles,
   }
   for (InstanceGroup& group : groups)
   {
-    std::vector<InstanceGroup::Placement> kept;
-    for (std::size_t i = 0; group.IsBall && i < group.Placements.size(); ++i)
+    if (group.IsBall)
     {
-      // Every so many balls, but none in step with the order of the points of a scan.
-      if (std::ldexp(static_cast<double>(MixBits(i, 0)), -64) < share)
+      // Any of them, not in step with the order of the points of a scan.
+      const auto rank = [&group](std::size_t i) { return MixBits(i, group.Placements.size()); };
+      std::vector<std::size_t> order(group.Placements.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      const auto kept = static_cast<std::ptrdiff_t>(share * static_cast<double>(order.size()));
+      std::nth_element(order.begin(), order.begin() + kept, order.end(),
+        [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+      std::sort(order.begin(), order.begin() + kept);
+      std::vector<InstanceGroup::Placement> placements;
+      for (std::ptrdiff_t i = 0; i < kept; ++i)
       {
-        kept.push_back(group.Placements[i]);
-        kept.back().Linear *= growth;
+        placements.push_back(group.Placements[order[i]]);
+        placements.back().Linear *= growth;
       }
+      group.Placements = std::move(placements);
     }
-    group.Placements = group.IsBall ? std::move(kept) : std::move(group.Placements);
   }
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                 [](const InstanceGroup& group) { return group.Placements.empty(); }),
+    groups.end());
   return CountTriangles(groups) <= maximumTriangles;
 }
 }
@@ -507,10 +525,13 @@ ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
       : IsOfSmallInstances(mesh, MaximumInstanceTexels * settings.Texel);
     (isSmall && settings.MaximumTriangles > 0 ? small : result.Others).push_back(&mesh);
   }
-  for (int coarseness = 0; coarseness <= CoarsestBodies && !small.empty(); ++coarseness)
+  for (int attempt = 0; attempt <= CoarsestBodies + FewestColors && !small.empty(); ++attempt)
   {
+    const int coarseness = std::min(attempt, CoarsestBodies);
+    const int firstKind = FewestColors - (attempt - coarseness);
     ShapeSorter sorter(scene, seen,
-      OutlineTexels * settings.Texel * static_cast<float>(1 << 2 * coarseness), progress);
+      OutlineTexels * settings.Texel * static_cast<float>(1 << 2 * coarseness), firstKind,
+      progress);
     std::vector<const Mesh*> detailed;
     for (const Mesh* mesh : small)
     {
@@ -534,8 +555,7 @@ ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
     }
     result.Groups = sorter.Take();
     if (CountTriangles(result.Groups) <= settings.MaximumTriangles ||
-      (coarseness == CoarsestBodies &&
-        ThinBalls(result.Groups, settings.MaximumTriangles, settings.Texel)))
+      (firstKind == 0 && ThinBalls(result.Groups, settings.MaximumTriangles, settings.Texel)))
     {
       result.Others.insert(result.Others.end(), detailed.begin(), detailed.end());
       return result;
