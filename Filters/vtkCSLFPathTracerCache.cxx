@@ -117,8 +117,8 @@ bool vtkCSLFPathTracer::UpdateCache(
   std::string shared = key;
   if (checked)
   {
-    for (const int number : { checked->TileWidth, checked->TileHeight, checked->Tiles,
-           checked->Slices, this->GetUsedSamples() })
+    for (const int number :
+      { checked->TileWidth, checked->TileHeight, checked->Tiles, checked->Slices })
     {
       shared += " " + std::to_string(number);
     }
@@ -151,15 +151,15 @@ bool vtkCSLFPathTracer::UpdateCache(
 bool vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks)
 {
   cslf::Phase phase(this, "Checking the radiance cache", CheckProgress);
-  // If there are few texels, a few are enough: the check must not take longer than everything else.
+  // If there are few texels, a few are enough: the check should not take longer than the rest.
   // Like the cache, which may be kept when they change, the check does not depend on the samples.
   constexpr std::int64_t most = 1024;
   constexpr std::int64_t least = 16;
-  constexpr std::int64_t share = 16;
+  constexpr std::int64_t part = 16;
   const std::int64_t texels =
     std::int64_t(picture.TileWidth) * picture.TileHeight * picture.Tiles * picture.Slices;
   cslf::CheckSettings settings;
-  settings.Texels = static_cast<int>(std::clamp(texels / share, least, most));
+  settings.Texels = static_cast<int>(std::clamp(texels / part, least, most));
   settings.Exposure = this->Exposure;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Paths.MaximumDepth = this->MaximumDepth;

@@ -3,6 +3,7 @@
 #include "cslfBalls.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfBallFS.h"
 #include "cslfBallVS.h"
 #include "cslfOpenGL.h"
@@ -32,13 +33,21 @@ namespace cslf
 {
 namespace
 {
-/// How much a matrix may differ from that of a sphere, as a share of its radius: files round.
-constexpr double MaximumSkew = 0.02;
+/// How much a matrix may differ from that of a sphere, and points from where it takes the
+/// prototype's, as a share of the radius: files round, and the smallest balls have few steps.
+constexpr double MaximumSkew = 0.1;
+
+/// Groups of fewer bodies, or with larger prototypes, are drawn as triangles.
+constexpr std::size_t MinimumBalls = 32;
+constexpr std::size_t MaximumPrototype = 1024; // points or triangles
 
 /// A square has this many texels for each point of the prototype, so that its colours stay apart.
 constexpr double TexelsPerPoint = 1.5;
 
-/// The largest side of the image of a group: OpenGL 3.2 has no more for sure.
+/// Fewer spheres are not drawn by fewer ones: see MeshLevels.
+constexpr std::size_t MinimumSpheres = 10000;
+
+/// The largest side of the image of a group. All drivers in use allow it.
 constexpr int MaximumImage = 8192;
 
 /// The direction of a place in an octahedral map, from -1 to 1. Beyond its edges the map goes on
@@ -170,13 +179,56 @@ std::vector<Bodies> ListBodies(vtkPolyData* geometry, std::size_t points, std::s
   return all;
 }
 
-/// The spheres of balls. None if any is none, or if triangles and colours are not those of spheres.
-std::vector<glm::vec4> ListSpheres(
-  vtkPolyData* geometry, const Bodies& bodies, const Cube& box, const glm::dvec3& scale)
+/// The bodies of a group in an order that does not depend on where they are.
+std::vector<std::size_t> Shuffle(std::size_t count)
+{
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [](std::size_t a, std::size_t b) { return MixBits(a, 0) < MixBits(b, 0); });
+  return order;
+}
+
+/// Whether the points and triangles of a body are those of its prototype, at its place: whoever
+/// changes a geometry may leave its field data as it was.
+bool IsAt(const Bodies& bodies, std::size_t body, const double (&matrix)[12], double radius,
+  const Cube& box, const MeshView& mesh)
+{
+  const std::size_t points = bodies.Prototype.size();
+  const glm::dvec3 step = 2.0 * MaximumSkew * radius / box.Edges;
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const glm::dvec3& from = bodies.Prototype[i];
+    glm::dvec3 to;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double* numbers = matrix + 4 * row;
+      to[row] = numbers[0] * from.x + numbers[1] * from.y + numbers[2] * from.z + numbers[3];
+    }
+    const glm::dvec3 expected = glm::clamp(box.PointToCube(to), glm::dvec3(-1.0), glm::dvec3(1.0));
+    const glm::dvec3 found(mesh.PointsCC[bodies.FirstPoint + body * points + i]);
+    const glm::dvec3 away = glm::abs(found - expected);
+    if (!(away.x <= step.x && away.y <= step.y && away.z <= step.z))
+    {
+      return false;
+    }
+  }
+  const std::size_t corners = 3 * bodies.Triangles;
+  const std::uint32_t* first = mesh.Corners.data() + 3 * bodies.FirstTriangle;
+  const std::uint32_t* own = first + body * corners;
+  const auto shift = static_cast<std::uint32_t>(body * points);
+  return std::equal(own, own + corners, first,
+    [shift](std::uint32_t corner, std::uint32_t same) { return corner == same + shift; });
+}
+
+/// The spheres of balls. None if any is none, or is not where its triangles are.
+std::vector<glm::vec4> ListSpheres(vtkPolyData* geometry, const Bodies& bodies,
+  const std::vector<std::size_t>& order, const Cube& box, const glm::dvec3& scale,
+  const MeshView& mesh)
 {
   vtkDataArray* placements = geometry->GetFieldData()->GetArray(GeometryPlacementsName);
   std::vector<glm::vec4> spheres;
-  for (std::size_t body = 0; body < bodies.Count; ++body)
+  for (const std::size_t body : order)
   {
     double matrix[12];
     placements->GetTuple(bodies.FirstPlacement + static_cast<vtkIdType>(body), matrix);
@@ -191,7 +243,8 @@ std::vector<glm::vec4> ListSpheres(
       }
     }
     const glm::dvec3 center = scale * box.PointToCube({ matrix[3], matrix[7], matrix[11] });
-    if (!(radius > 0.0 && skew <= MaximumSkew * radius))
+    const bool isSphere = std::isfinite(radius) && radius > 0.0 && skew <= MaximumSkew * radius;
+    if (!isSphere || !IsAt(bodies, body, matrix, radius, box, mesh))
     {
       return {};
     }
@@ -201,8 +254,8 @@ std::vector<glm::vec4> ListSpheres(
 }
 
 /// The image of a group, if it is not too large.
-bool PaintSquares(const Bodies& bodies, const std::vector<std::uint32_t>& corners,
-  const std::vector<glm::vec4>& colors, BallGroup& group)
+bool PaintSquares(const Bodies& bodies, const std::vector<std::size_t>& order,
+  const std::vector<std::uint32_t>& corners, const std::vector<glm::vec4>& colors, BallGroup& group)
 {
   const double texels = TexelsPerPoint * static_cast<double>(bodies.Prototype.size());
   group.Side = static_cast<int>(std::ceil(std::sqrt(texels)));
@@ -236,11 +289,12 @@ bool PaintSquares(const Bodies& bodies, const std::vector<std::uint32_t>& corner
   }
   const std::size_t width = static_cast<std::size_t>(group.SquaresPerRow) * side;
   group.Texels.assign(width * group.Rows * side, 0U);
-  for (std::size_t body = 0; body < bodies.Count; ++body)
+  for (std::size_t square = 0; square < order.size(); ++square)
   {
-    const glm::vec4* own = colors.data() + bodies.FirstPoint + body * bodies.Prototype.size();
+    const glm::vec4* own =
+      colors.data() + bodies.FirstPoint + order[square] * bodies.Prototype.size();
     const std::size_t first =
-      body / group.SquaresPerRow * side * width + body % group.SquaresPerRow * side;
+      square / group.SquaresPerRow * side * width + square % group.SquaresPerRow * side;
     for (std::size_t i = 0; i < blends.size(); ++i)
     {
       const Blend& blend = blends[i];
@@ -253,34 +307,61 @@ bool PaintSquares(const Bodies& bodies, const std::vector<std::uint32_t>& corner
 }
 }
 
-std::size_t Balls::Count() const
+std::size_t Balls::CountAtLevel(const BallGroup& group, std::size_t level)
 {
-  return std::accumulate(this->Groups.begin(), this->Groups.end(), std::size_t(0),
-    [](std::size_t sum, const BallGroup& group) { return sum + group.Spheres.size(); });
+  std::size_t count = group.Spheres.size();
+  for (; level > 0 && count > MinimumSpheres; --level)
+  {
+    count /= 2;
+  }
+  return count;
 }
 
-Balls FindBalls(vtkPolyData* geometry, const Cube& box, const std::vector<std::uint32_t>& corners,
-  const std::vector<glm::vec4>& colors)
+std::size_t Balls::CountAtLevel(std::size_t level) const
 {
+  return std::accumulate(this->Groups.begin(), this->Groups.end(), std::size_t(0),
+    [level](std::size_t sum, const BallGroup& group) { return sum + CountAtLevel(group, level); });
+}
+
+std::size_t Balls::CountLevels() const
+{
+  std::size_t level = 0;
+  while (this->CountAtLevel(level + 1) < this->CountAtLevel(level))
+  {
+    ++level;
+  }
+  return level;
+}
+
+Balls FindBalls(vtkPolyData* geometry, const Cube& box, const MeshView& mesh)
+{
+  const std::vector<std::uint32_t>& corners = mesh.Corners;
+  const std::vector<glm::vec4>& colors = mesh.Colors;
   Balls balls;
   balls.AreTriangles.assign(corners.size() / 3, false);
-  const glm::dvec3 scale = 0.5 * glm::dvec3(box.Edges[0], box.Edges[1], box.Edges[2]);
+  const glm::dvec3 scale = 0.5 * box.Edges;
   for (const Bodies& bodies : ListBodies(geometry, colors.size(), corners.size() / 3))
   {
+    if (!bodies.AreBalls || bodies.Count < MinimumBalls ||
+      std::max(bodies.Prototype.size(), bodies.Triangles) > MaximumPrototype)
+    {
+      continue;
+    }
     const auto first = colors.begin() + static_cast<std::ptrdiff_t>(bodies.FirstPoint);
     const bool areBright = std::any_of(first,
       first + static_cast<std::ptrdiff_t>(bodies.Prototype.size() * bodies.Count),
       [](const glm::vec4& color) {
         return std::max({ color.x, color.y, color.z }) > 1.0f;
       });
-    if (!bodies.AreBalls || areBright)
+    if (areBright)
     {
       continue;
     }
     BallGroup group;
     group.Scale = scale;
-    group.Spheres = ListSpheres(geometry, bodies, box, scale);
-    if (group.Spheres.empty() || !PaintSquares(bodies, corners, colors, group))
+    const std::vector<std::size_t> order = Shuffle(bodies.Count);
+    group.Spheres = ListSpheres(geometry, bodies, order, box, scale, mesh);
+    if (group.Spheres.empty() || !PaintSquares(bodies, order, corners, colors, group))
     {
       continue;
     }
@@ -299,9 +380,11 @@ struct BallPicture::Group
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkOpenGLBufferObject> Spheres; ///< four times each, for the corners of a square
   vtkOpenGLHelper Squares;
+  std::vector<std::size_t> Counts; ///< at all levels
 
   void Upload(vtkOpenGLRenderWindow* window, const BallGroup& group);
-  void Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC);
+  void Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC,
+    std::size_t level);
   void Release(vtkWindow* window);
 };
 
@@ -314,6 +397,10 @@ void BallPicture::Group::Upload(vtkOpenGLRenderWindow* window, const BallGroup& 
   this->Scale = group.Scale;
   this->Side = group.Side;
   this->SquaresPerRow = group.SquaresPerRow;
+  for (std::size_t level = 0; level == 0 || this->Counts[level - 1] > MinimumSpheres; ++level)
+  {
+    this->Counts.push_back(Balls::CountAtLevel(group, level));
+  }
   std::vector<glm::vec4> corners;
   std::vector<unsigned int> triangles;
   for (const glm::vec4& sphere : group.Spheres)
@@ -340,11 +427,13 @@ void BallPicture::Group::Upload(vtkOpenGLRenderWindow* window, const BallGroup& 
   this->Spheres->Bind();
   this->Squares.VAO->AddAttributeArray(
     this->Squares.Program, this->Spheres, "sphere", 0, 4 * sizeof(float), VTK_FLOAT, 4, false);
+  this->Squares.VAO->Release();
 }
 
-void BallPicture::Group::Draw(
-  vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC)
+void BallPicture::Group::Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc,
+  const glm::dvec4& eyeCC, std::size_t level)
 {
+  const std::size_t count = this->Counts[std::min(level, this->Counts.size() - 1)];
   vtkShaderProgram* program = this->Squares.Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
   vtkNew<vtkMatrix4x4> matrix;
@@ -360,14 +449,16 @@ void BallPicture::Group::Draw(
   program->SetUniformMatrix("BCDCMatrix", matrix);
   const glm::vec4 eye(glm::dvec3(eyeCC) * glm::dvec3(this->Scale), eyeCC.w);
   program->SetUniform4f("EyeBC", &eye.x);
+  program->SetUniformf("Growth",
+    static_cast<float>(
+      std::sqrt(static_cast<double>(this->Counts.front()) / static_cast<double>(count))));
   program->SetUniformi("Side", this->Side);
   program->SetUniformi("SquaresPerRow", this->SquaresPerRow);
   this->Colors->Activate();
   program->SetUniformi("Colors", this->Colors->GetTextureUnit());
   this->Squares.VAO->Bind();
   this->Squares.IBO->Bind();
-  glDrawElements(
-    GL_TRIANGLES, static_cast<GLsizei>(this->Squares.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT, nullptr);
   this->Squares.IBO->Release();
   this->Squares.VAO->Release();
   this->Colors->Deactivate();
@@ -390,15 +481,15 @@ void BallPicture::Upload(vtkOpenGLRenderWindow* window, const Balls& balls)
   }
 }
 
-void BallPicture::Draw(
-  vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC)
+void BallPicture::Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc,
+  const glm::dvec4& eyeCC, std::size_t level)
 {
   // Squares reach farther than their balls.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   for (const auto& group : this->Groups)
   {
-    group->Draw(window, ccdc, eyeCC);
+    group->Draw(window, ccdc, eyeCC, level);
   }
   if (!clampsDepth)
   {

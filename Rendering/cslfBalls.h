@@ -34,26 +34,40 @@ namespace cslf
 struct BallGroup
 {
   glm::vec3 Scale{ 1.0f }; ///< half of the cube's edges, that make cube coordinates world-like
-  std::vector<glm::vec4> Spheres; ///< centre, in cube coordinates times Scale, and radius in world
-  int Side = 0;                   ///< of a square without rim
+  /// Centre, in cube coordinates times Scale, and radius in world. In random order, so that the
+  /// first ones can stand for all.
+  std::vector<glm::vec4> Spheres;
+  int Side = 0; ///< of a square without rim
   int SquaresPerRow = 0;
   int Rows = 0;
   std::vector<std::uint32_t> Texels; ///< red, green, blue, 255, row by row
 };
 
-/// The groups of a geometry whose bodies are balls of one colour on both sides, and which triangles
-/// these have: the last ones of the geometry come last. Colours, of points, are exact.
+/// The groups of a geometry whose bodies are balls, and which triangles these have. Their front is
+/// outside.
 struct Balls
 {
   std::vector<BallGroup> Groups;
   std::vector<bool> AreTriangles; ///< of each triangle, whether a ball replaces it
 
-  std::size_t Count() const;
+  /// How many are drawn of a group with fewer of them: half of them at each level, as long as these
+  /// are many. They are larger, so that all are as wide together.
+  static std::size_t CountAtLevel(const BallGroup& group, std::size_t level);
+  std::size_t CountAtLevel(std::size_t level) const;
+
+  /// The number of levels below the finest.
+  std::size_t CountLevels() const;
 };
 
-/// `corners` are those of the geometry's triangles in the order of its polygons.
-Balls FindBalls(vtkPolyData* geometry, const Cube& box, const std::vector<std::uint32_t>& corners,
-  const std::vector<glm::vec4>& colors);
+/// The triangles of a geometry, in the order of its polygons.
+struct MeshView
+{
+  const std::vector<glm::vec3>& PointsCC;
+  const std::vector<std::uint32_t>& Corners;
+  const std::vector<glm::vec4>& Colors; ///< of points: exact, and of 8 bits
+};
+
+Balls FindBalls(vtkPolyData* geometry, const Cube& box, const MeshView& mesh);
 
 /// Draws the balls of one geometry. Belongs to one render window's context at a time.
 class BallPicture
@@ -69,7 +83,8 @@ public:
 
   /// Draws colours and depths, z in DC, of a view from cube coordinates. The eye (w = 1), or the
   /// direction of a parallel projection (w = 0), must be outside of all balls.
-  void Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC);
+  void Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC,
+    std::size_t level);
 
   /// Frees everything. The window's context must be current.
   void Release(vtkWindow* window);

@@ -78,13 +78,24 @@ bool AreExact(const std::vector<glm::vec4>& colors)
 /// Takes the triangles of balls apart.
 void TakeBalls(vtkPolyData* geometry, const Cube& box, GeometryMesh& mesh)
 {
-  mesh.Balls = FindBalls(geometry, box, mesh.Corners, mesh.Colors);
+  mesh.Balls = FindBalls(geometry, box, { mesh.PointsCC, mesh.Corners, mesh.Colors });
   std::vector<std::uint32_t> others;
   for (std::size_t i = 0; i < mesh.Corners.size(); ++i)
   {
     (mesh.Balls.AreTriangles[i / 3] ? mesh.BallCorners : others).push_back(mesh.Corners[i]);
   }
   mesh.Corners = std::move(others);
+  mesh.Balls.AreTriangles.clear();
+  for (const BallGroup& group : mesh.Balls.Groups)
+  {
+    for (const glm::vec4& sphere : group.Spheres)
+    {
+      const glm::vec3 center = glm::vec3(sphere) / group.Scale;
+      const glm::vec3 radius = sphere.w / group.Scale;
+      mesh.MinimumCC = glm::max(glm::min(mesh.MinimumCC, center - radius), glm::vec3(-1.0f));
+      mesh.MaximumCC = glm::min(glm::max(mesh.MaximumCC, center + radius), glm::vec3(1.0f));
+    }
+  }
 }
 
 bool AreOpaque(const std::vector<glm::vec4>& colors)
@@ -140,7 +151,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   {
     mesh->Cells = std::make_shared<SurfaceCells>(field, mesh->PointsCC, mesh->Corners);
   }
-  if (mesh->IsAlone)
+  if (mesh->IsAlone && colors.Front->GetDataType() == VTK_UNSIGNED_CHAR)
   {
     TakeBalls(geometry, box, *mesh);
   }
@@ -154,5 +165,32 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
     }
   }
   return mesh;
+}
+
+std::size_t GeometryMesh::CountLevels() const
+{
+  const MeshLevels* levels = this->FindLevels();
+  return levels ? std::max(levels->Levels.size(), this->Balls.CountLevels()) : 0;
+}
+
+bool GeometryMesh::IsCoarse(std::size_t level) const
+{
+  const MeshLevels* levels = level > 0 ? this->FindLevels() : nullptr;
+  return levels && !levels->Levels.empty();
+}
+
+MeshLevel GeometryMesh::GetLevel(std::size_t level) const
+{
+  if (!this->IsCoarse(level))
+  {
+    return { 0, this->ClosedCorners, this->Corners.size() };
+  }
+  const std::vector<MeshLevel>& levels = this->FindLevels()->Levels;
+  return levels[std::min(level, levels.size()) - 1];
+}
+
+std::size_t GeometryMesh::CountTriangles(std::size_t level) const
+{
+  return this->GetLevel(level).CountTriangles() + 2 * this->Balls.CountAtLevel(level);
 }
 }

@@ -63,6 +63,16 @@ struct GeometryMesh
     return this->LevelMaker.Find(this->PointsCC, this->Corners, this->ClosedCorners);
   }
 
+  /// The number of levels below the finest; 0 until they are made.
+  std::size_t CountLevels() const;
+
+  /// The triangles that are drawn at a level, with those of balls, and without.
+  std::size_t CountTriangles(std::size_t level) const;
+  MeshLevel GetLevel(std::size_t level) const;
+
+  /// Whether GetLevel is part of the corners of MeshLevels, not of those above.
+  bool IsCoarse(std::size_t level) const;
+
 private:
   mutable MeshLevelMaker LevelMaker; ///< is destroyed before what it reads
 };

@@ -131,13 +131,6 @@ int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MaximumSamples)));
 }
 
-std::size_t CountTriangles(const GeometryMesh& mesh, std::size_t level)
-{
-  const MeshLevels* levels = level > 0 ? mesh.FindLevels() : nullptr;
-  return 2 * mesh.Balls.Count() +
-    (levels ? levels->Levels[level - 1].CountTriangles() : mesh.Corners.size() / 3);
-}
-
 /// The same view for an area of the viewport.
 DisplayRows CutOut(
   const DisplayRows& ccdc, const std::array<int, 4>& viewport, const std::array<int, 4>& area)
@@ -184,7 +177,7 @@ void LookupPicture::ChooseSize(const View& view, int wantedSamples, double secon
     {
       const double rays = this->CanCoarsen
         ? VTK_DOUBLE_MAX
-        : UsefulRays * CountTriangles(*view.Geometry, this->MovingLevel);
+        : UsefulRays * view.Geometry->CountTriangles(this->MovingLevel);
       side = std::max(side, std::min(1.0, std::sqrt(rays / (this->Area[2] * this->Area[3]))));
       side = this->MovingLevel > 0 ? std::min(side, 1.0) : side;
     }
@@ -207,9 +200,8 @@ void LookupPicture::ChooseLevel(double seconds)
     return;
   }
   const bool isSlow = seconds > this->WantedSeconds;
-  const MeshLevels* levels =
-    isSlow || this->MovingLevel > 0 ? this->Current.Geometry->FindLevels() : nullptr;
-  const std::size_t coarsest = levels ? levels->Levels.size() : 0;
+  const std::size_t coarsest =
+    isSlow || this->MovingLevel > 0 ? this->Current.Geometry->CountLevels() : 0;
   if (isSlow && this->MovingLevel < coarsest)
   {
     ++this->MovingLevel;
@@ -286,14 +278,16 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
     const bool isFirst = this->IsMoving || pace.Refinement == Refinements::One;
     this->Level = this->IsAlone && isFirst ? this->MovingLevel : 0;
     this->Sets = 0;
-    const bool mayRefine = pace.Refinement != Refinements::None && !this->IsMoving;
+    const bool mayRefine = pace.Refinement >= Refinements::One && !this->IsMoving;
     this->WantedSets = mayRefine && view.Samples > 1 && this->Samples > 1 ? RefinedSets : 1;
     this->DrawSet(field);
   }
-  else if (pace.Refinement != Refinements::None && this->IsPreview())
+  else if (pace.Refinement != Refinements::None && pace.Seconds >= StillSeconds &&
+    this->IsPreview())
   {
     this->Level = 0;
     this->Sets = 0;
+    this->WantedSets = pace.Refinement >= Refinements::One ? this->WantedSets : 1;
     this->DrawSet(field);
   }
   else if (pace.Refinement == Refinements::One && !this->IsRefined())
@@ -321,8 +315,13 @@ void LookupPicture::DrawSet(FieldTexture& field)
   {
     glFinish();
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // The first picture takes uploads and compilation, too.
+    const bool isFirst = this->PixelSeconds == 0.0;
     this->PixelSeconds = seconds / (static_cast<double>(this->Size[0]) * this->Size[1]);
-    this->ChooseLevel(seconds);
+    if (!isFirst)
+    {
+      this->ChooseLevel(seconds);
+    }
   }
   if (this->IsRefined())
   {

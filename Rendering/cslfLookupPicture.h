@@ -62,7 +62,8 @@ public:
     enum class Refinements
     {
       None,
-      One, ///< if the picture has the view already
+      Detail, ///< of a preview, but no more rays
+      One,    ///< if the picture has the view already
       All
     };
     Refinements Refinement = Refinements::None;

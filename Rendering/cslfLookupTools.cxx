@@ -48,13 +48,14 @@ namespace cslf
 {
 namespace
 {
-/// Whether the near side of the display cuts the cube open.
-bool IsCut(const DisplayRows& ccdc)
+/// Whether the near side of the display may cut the mesh open.
+bool IsCut(const DisplayRows& ccdc, const GeometryMesh& mesh)
 {
+  const glm::dvec3 ends[] = { mesh.MinimumCC, mesh.MaximumCC };
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::dvec4 point(
-      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0, 1.0);
+      ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2 & 1].z, 1.0);
     if (glm::dot(ccdc[2] + ccdc[3], point) < 0.0)
     {
       return true;
@@ -252,11 +253,11 @@ void SurfacePicture::DrawMesh(vtkOpenGLRenderWindow* window, const View& view)
     program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
-  const bool isWhole = !view.IsEyeInside && view.PlanesCC.empty() && !IsCut(view.CCDC);
+  const bool isWhole = !view.IsEyeInside && view.PlanesCC.empty() && !IsCut(view.CCDC, *this->Mesh);
   this->DrawTriangles(state, view.Level, isWhole && !IsMirrored(view.CCDC), !isWhole);
   if (isWhole)
   {
-    this->Spheres.Draw(window, view.CCDC, view.EyeCC);
+    this->Spheres.Draw(window, view.CCDC, view.EyeCC, view.Level);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
 }
@@ -266,17 +267,16 @@ void SurfacePicture::DrawTriangles(
   vtkOpenGLState* state, std::size_t level, bool hidesBacks, bool showsBalls)
 {
   this->Triangles.VAO->Bind();
-  const MeshLevels* levels = level > 0 ? this->Mesh->FindLevels() : nullptr;
-  if (levels && this->CoarseTriangles->IndexCount == 0)
+  const bool isCoarse = this->Mesh->IsCoarse(level);
+  if (isCoarse && this->CoarseTriangles->IndexCount == 0)
   {
-    this->CoarseTriangles->Upload(levels->Corners, vtkOpenGLBufferObject::ElementArrayBuffer);
-    this->CoarseTriangles->IndexCount = levels->Corners.size();
+    const std::vector<std::uint32_t>& corners = this->Mesh->FindLevels()->Corners;
+    this->CoarseTriangles->Upload(corners, vtkOpenGLBufferObject::ElementArrayBuffer);
+    this->CoarseTriangles->IndexCount = corners.size();
   }
-  vtkOpenGLIndexBufferObject* buffer = levels ? this->CoarseTriangles.Get() : this->Triangles.IBO;
+  vtkOpenGLIndexBufferObject* buffer = isCoarse ? this->CoarseTriangles.Get() : this->Triangles.IBO;
   buffer->Bind();
-  const MeshLevel drawn = levels
-    ? levels->Levels[level - 1]
-    : MeshLevel{ 0, this->Mesh->ClosedCorners, this->Mesh->Corners.size() };
+  const MeshLevel drawn = this->Mesh->GetLevel(level);
   const std::size_t closed = hidesBacks ? drawn.ClosedEnd : drawn.First;
   const auto draw = [](std::size_t first, std::size_t end)
   {

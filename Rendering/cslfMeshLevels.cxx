@@ -101,7 +101,7 @@ MeshLevels Make(const std::vector<glm::vec3>& points, const Corners& corners,
   while (!isAborted && level.size() / 3 > MinimumTriangles)
   {
     Corners next = Halve(points, level);
-    if (!IsMuchLess(next, level))
+    if (!IsMuchLess(next, level) && !isAborted)
     {
       Join(points, level);
       next = Halve(points, level);

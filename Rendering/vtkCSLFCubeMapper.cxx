@@ -303,7 +303,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   if (!this->IsAnotherPass && !renderer->GetSelector())
   {
     pace.Refinement = !this->Streaming ? Pace::Refinements::All
-      : this->Drawn->IsCrowded         ? Pace::Refinements::None
+      : this->Drawn->IsCrowded         ? Pace::Refinements::Detail
                                        : Pace::Refinements::One;
   }
   this->Drawn->Picture.Draw(window, this->View, this->Texture, this->Tools, pace);

@@ -11,7 +11,8 @@ flat out vec2 squareVSOutput; // of the colours: its first texel within the rim
 
 uniform mat4 BCDCMatrix;
 uniform vec4 EyeBC; // w = 1: the eye; w = 0: the direction of parallel projection
-uniform int Side;   // of a square of colours without rim
+uniform float Growth; // of the radius
+uniform int Side;     // of a square of colours without rim
 uniform int SquaresPerRow;
 
 void main()
@@ -23,11 +24,12 @@ void main()
   vec3 across =
     normalize(cross(facing, abs(facing.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
   // The cone from the eye around the ball is wider than the ball at its centre.
+  float radius = Growth * sphere.w;
   float square = dot(toEye, toEye);
-  float away = square - sphere.w * sphere.w;
-  float size = EyeBC.w > 0.0 ? sphere.w * sqrt(square / max(away, 0.01 * square)) : sphere.w;
+  float away = square - radius * radius;
+  float size = EyeBC.w > 0.0 ? radius * sqrt(square / max(away, 0.01 * square)) : radius;
   pointBCVSOutput = sphere.xyz + size * (corner.x * across + corner.y * cross(facing, across));
-  sphereVSOutput = sphere;
+  sphereVSOutput = vec4(sphere.xyz, radius);
   squareVSOutput = vec2(ball % SquaresPerRow, ball / SquaresPerRow) * float(Side + 2) + 1.0;
   gl_Position = BCDCMatrix * vec4(pointBCVSOutput, 1.0);
 }

@@ -186,12 +186,14 @@ struct Ball
 class ShapeSorter
 {
 public:
-  /// Outlines may be off by that in scene space. Balls are of that kind or a later one.
-  ShapeSorter(const Scene& scene, const SeenPlaces& seen, float maximumExcess, int firstKind,
-    const Progress& progress)
+  /// Outlines may be off by that many texels. Balls smaller than these are of that kind or a later
+  /// one.
+  ShapeSorter(const Scene& scene, const SeenPlaces& seen, float texel, float excessTexels,
+    int firstKind, const Progress& progress)
     : World(scene)
     , Seen(seen)
-    , MaximumExcess(maximumExcess)
+    , Texel(texel)
+    , MaximumExcess(excessTexels * texel)
     , FirstKind(firstKind)
     , GoOn(progress)
   {
@@ -301,7 +303,8 @@ private:
 
   void AddBall(const Ball& ball)
   {
-    const auto fine = std::find_if(this->Excess.begin() + this->FirstKind, this->Excess.end() - 1,
+    const int first = ball.Radius <= this->Texel ? this->FirstKind : FewestColors;
+    const auto fine = std::find_if(this->Excess.begin() + first, this->Excess.end() - 1,
       [&](float excess) { return excess * ball.Radius <= this->MaximumExcess; });
     const auto found = fine - this->Excess.begin();
     this->Add({ glm::mat3(ball.Radius), ball.Center }, this->Balls[found]);
@@ -379,6 +382,7 @@ private:
 
   const Scene& World;
   const SeenPlaces& Seen;
+  float Texel;
   float MaximumExcess;
   int FirstKind;
   const Progress& GoOn;
@@ -529,9 +533,8 @@ ShapeGroups FindShapeGroups(const Scene& scene, const SeenPlaces& seen,
   {
     const int coarseness = std::min(attempt, CoarsestBodies);
     const int firstKind = FewestColors - (attempt - coarseness);
-    ShapeSorter sorter(scene, seen,
-      OutlineTexels * settings.Texel * static_cast<float>(1 << 2 * coarseness), firstKind,
-      progress);
+    ShapeSorter sorter(scene, seen, settings.Texel,
+      OutlineTexels * static_cast<float>(1 << 2 * coarseness), firstKind, progress);
     std::vector<const Mesh*> detailed;
     for (const Mesh* mesh : small)
     {
