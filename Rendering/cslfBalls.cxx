@@ -3,7 +3,6 @@
 #include "cslfBalls.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
-#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfBallFS.h"
 #include "cslfBallVS.h"
 #include "cslfOpenGL.h"
@@ -28,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 namespace cslf
 {
@@ -184,8 +184,7 @@ std::vector<std::size_t> Shuffle(std::size_t count)
 {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(),
-    [](std::size_t a, std::size_t b) { return MixBits(a, 0) < MixBits(b, 0); });
+  std::shuffle(order.begin(), order.end(), std::mt19937());
   return order;
 }
 

@@ -49,8 +49,10 @@ constexpr double SetShiftY = 0.4;
 /// A level of detail takes at most this many times as long as the next, which has half of the
 /// triangles; with room, so that levels do not change to and fro.
 constexpr double MaximumSlowing = 2.5;
-/// Fewer rays for each triangle than this save little time.
+/// Fewer rays for each triangle than this save little time, and neither do fewer triangles for each
+/// pixel.
 constexpr double UsefulRays = 0.5;
+constexpr double UsefulTriangles = 0.25;
 /// If this many seconds are available for a picture, the view is not moving.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with fewer pixels. Along each side, one pixel
@@ -200,9 +202,14 @@ void LookupPicture::ChooseLevel(double seconds)
     return;
   }
   const bool isSlow = seconds > this->WantedSeconds;
-  const std::size_t coarsest =
-    isSlow || this->MovingLevel > 0 ? this->Current.Geometry->CountLevels() : 0;
-  if (isSlow && this->MovingLevel < coarsest)
+  const GeometryMesh& geometry = *this->Current.Geometry;
+  const double pixels = static_cast<double>(this->Area[2]) * this->Area[3];
+  const auto canCoarsen = [&]
+  {
+    return geometry.CountTriangles(this->MovingLevel) > UsefulTriangles * pixels &&
+      this->MovingLevel < geometry.CountLevels();
+  };
+  if (isSlow && canCoarsen())
   {
     ++this->MovingLevel;
   }
@@ -210,7 +217,7 @@ void LookupPicture::ChooseLevel(double seconds)
   {
     --this->MovingLevel;
   }
-  this->CanCoarsen = this->MovingLevel < coarsest;
+  this->CanCoarsen = (isSlow || this->MovingLevel > 0) && canCoarsen();
 }
 
 void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
