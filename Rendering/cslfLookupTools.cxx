@@ -412,7 +412,6 @@ void LookupTools::Build(
   {
     return;
   }
-  this->IsBuilt = true;
   this->Built = method;
   this->BuiltFor = traits;
   const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfEntryGLSL +
@@ -434,6 +433,7 @@ void LookupTools::Build(
   std::string ray = cslfPictureFS;
   vtkShaderProgram::Substitute(ray, "//CSLF::Lookup::Dec", functions);
   this->ReleasePrograms();
+  this->IsBuilt = true;
   if (method.IsOnGeometry && !method.IsAlone)
   {
     std::string point = cslfSurfaceFS;
