@@ -7,8 +7,6 @@
 #include "cslfBallVS.h"
 #include "cslfOpenGL.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLBufferObject.h>
 #include <vtkOpenGLIndexBufferObject.h>
@@ -111,74 +109,6 @@ std::uint32_t PackColor(const glm::vec4& color)
     static_cast<std::uint32_t>(steps.z) << 16U | 0xff000000U;
 }
 
-/// Bodies of one prototype, and where their points and triangles begin in the geometry.
-struct Bodies
-{
-  std::vector<glm::dvec3> Prototype;
-  std::size_t Triangles = 0;
-  std::size_t Count = 0;
-  std::size_t FirstPoint = 0;
-  std::size_t FirstTriangle = 0;
-  vtkIdType FirstPlacement = 0;
-  bool AreBalls = false;
-};
-
-/// The groups of bodies of a geometry; none if its arrays do not fit.
-std::vector<Bodies> ListBodies(vtkPolyData* geometry, std::size_t points, std::size_t triangles)
-{
-  vtkFieldData* fields = geometry->GetFieldData();
-  vtkDataArray* sizes = fields->GetArray(GeometryGroupsName);
-  vtkDataArray* prototypes = fields->GetArray(GeometryPrototypesName);
-  vtkDataArray* placements = fields->GetArray(GeometryPlacementsName);
-  if (!sizes || !prototypes || !placements || sizes->GetNumberOfComponents() != 4 ||
-    prototypes->GetNumberOfComponents() != 3 || placements->GetNumberOfComponents() != 12)
-  {
-    return {};
-  }
-  std::vector<Bodies> all;
-  vtkIdType prototype = 0;
-  vtkIdType placement = 0;
-  double allPoints = 0.0;
-  double allTriangles = 0.0;
-  for (vtkIdType i = 0; i < sizes->GetNumberOfTuples(); ++i)
-  {
-    double size[4];
-    sizes->GetTuple(i, size);
-    allPoints += size[0] * size[2];
-    allTriangles += size[1] * size[2];
-    if (!(std::min({ size[0], size[1], size[2] }) >= 1.0) ||
-      !(size[0] <= static_cast<double>(prototypes->GetNumberOfTuples() - prototype)) ||
-      !(size[2] <= static_cast<double>(placements->GetNumberOfTuples() - placement)) ||
-      !(allPoints <= static_cast<double>(points)) ||
-      !(allTriangles <= static_cast<double>(triangles)))
-    {
-      return {};
-    }
-    Bodies bodies;
-    bodies.Prototype.resize(static_cast<std::size_t>(size[0]));
-    for (glm::dvec3& point : bodies.Prototype)
-    {
-      prototypes->GetTuple(prototype++, &point.x);
-    }
-    bodies.Triangles = static_cast<std::size_t>(size[1]);
-    bodies.Count = static_cast<std::size_t>(size[2]);
-    bodies.FirstPlacement = placement;
-    bodies.AreBalls = size[3] != 0.0;
-    placement += static_cast<vtkIdType>(bodies.Count);
-    all.push_back(std::move(bodies));
-  }
-  std::size_t point = points - static_cast<std::size_t>(allPoints);
-  std::size_t triangle = triangles - static_cast<std::size_t>(allTriangles);
-  for (Bodies& bodies : all)
-  {
-    bodies.FirstPoint = point;
-    bodies.FirstTriangle = triangle;
-    point += bodies.Prototype.size() * bodies.Count;
-    triangle += bodies.Triangles * bodies.Count;
-  }
-  return all;
-}
-
 /// The bodies of a group in an order that does not depend on where they are.
 std::vector<std::size_t> Shuffle(std::size_t count)
 {
@@ -190,9 +120,10 @@ std::vector<std::size_t> Shuffle(std::size_t count)
 
 /// Whether the points and triangles of a body are those of its prototype, at its place: whoever
 /// changes a geometry may leave its field data as it was.
-bool IsAt(const Bodies& bodies, std::size_t body, const double (&matrix)[12], double radius,
-  const Cube& box, const MeshView& mesh)
+bool IsAt(const BodyGroupData& bodies, std::size_t body, double radius, const Cube& box,
+  const MeshView& mesh)
 {
+  const std::array<double, 12>& matrix = bodies.Matrices[body];
   const std::size_t points = bodies.Prototype.size();
   const glm::dvec3 step = 2.0 * MaximumSkew * radius / box.Edges;
   for (std::size_t i = 0; i < points; ++i)
@@ -201,7 +132,7 @@ bool IsAt(const Bodies& bodies, std::size_t body, const double (&matrix)[12], do
     glm::dvec3 to;
     for (int row = 0; row < 3; ++row)
     {
-      const double* numbers = matrix + 4 * row;
+      const double* numbers = matrix.data() + 4 * row;
       to[row] = numbers[0] * from.x + numbers[1] * from.y + numbers[2] * from.z + numbers[3];
     }
     const glm::dvec3 expected = glm::clamp(box.PointToCube(to), glm::dvec3(-1.0), glm::dvec3(1.0));
@@ -221,16 +152,14 @@ bool IsAt(const Bodies& bodies, std::size_t body, const double (&matrix)[12], do
 }
 
 /// The spheres of balls. None if any is none, or is not where its triangles are.
-std::vector<glm::vec4> ListSpheres(vtkPolyData* geometry, const Bodies& bodies,
+std::vector<glm::vec4> ListSpheres(const BodyGroupData& bodies,
   const std::vector<std::size_t>& order, const Cube& box, const glm::dvec3& scale,
   const MeshView& mesh)
 {
-  vtkDataArray* placements = geometry->GetFieldData()->GetArray(GeometryPlacementsName);
   std::vector<glm::vec4> spheres;
   for (const std::size_t body : order)
   {
-    double matrix[12];
-    placements->GetTuple(bodies.FirstPlacement + static_cast<vtkIdType>(body), matrix);
+    const std::array<double, 12>& matrix = bodies.Matrices[body];
     const double radius = (matrix[0] + matrix[5] + matrix[10]) / 3.0;
     double skew = 0.0;
     for (int row = 0; row < 3; ++row)
@@ -243,7 +172,7 @@ std::vector<glm::vec4> ListSpheres(vtkPolyData* geometry, const Bodies& bodies,
     }
     const glm::dvec3 center = scale * box.PointToCube({ matrix[3], matrix[7], matrix[11] });
     const bool isSphere = std::isfinite(radius) && radius > 0.0 && skew <= MaximumSkew * radius;
-    if (!isSphere || !IsAt(bodies, body, matrix, radius, box, mesh))
+    if (!isSphere || !IsAt(bodies, body, radius, box, mesh))
     {
       return {};
     }
@@ -253,13 +182,14 @@ std::vector<glm::vec4> ListSpheres(vtkPolyData* geometry, const Bodies& bodies,
 }
 
 /// The image of a group, if it is not too large.
-bool PaintSquares(const Bodies& bodies, const std::vector<std::size_t>& order,
+bool PaintSquares(const BodyGroupData& bodies, const std::vector<std::size_t>& order,
   const std::vector<std::uint32_t>& corners, const std::vector<glm::vec4>& colors, BallGroup& group)
 {
   const double texels = TexelsPerPoint * static_cast<double>(bodies.Prototype.size());
   group.Side = static_cast<int>(std::ceil(std::sqrt(texels)));
   const int side = group.Side + 2;
-  const auto count = static_cast<int>(std::min<std::size_t>(bodies.Count, MaximumImage * 1024));
+  const auto count =
+    static_cast<int>(std::min<std::size_t>(bodies.Matrices.size(), MaximumImage * 1024));
   group.SquaresPerRow = std::min(
     MaximumImage / side, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))));
   group.Rows = (count + group.SquaresPerRow - 1) / group.SquaresPerRow;
@@ -339,16 +269,16 @@ Balls FindBalls(vtkPolyData* geometry, const Cube& box, const MeshView& mesh)
   Balls balls;
   balls.AreTriangles.assign(corners.size() / 3, false);
   const glm::dvec3 scale = 0.5 * box.Edges;
-  for (const Bodies& bodies : ListBodies(geometry, colors.size(), corners.size() / 3))
+  for (const BodyGroupData& bodies : ListBodyGroups(geometry, colors.size(), corners.size() / 3))
   {
-    if (!bodies.AreBalls || bodies.Count < MinimumBalls ||
+    if (!bodies.AreBalls || bodies.Matrices.size() < MinimumBalls ||
       std::max(bodies.Prototype.size(), bodies.Triangles) > MaximumPrototype)
     {
       continue;
     }
     const auto first = colors.begin() + static_cast<std::ptrdiff_t>(bodies.FirstPoint);
     const bool areBright = std::any_of(first,
-      first + static_cast<std::ptrdiff_t>(bodies.Prototype.size() * bodies.Count),
+      first + static_cast<std::ptrdiff_t>(bodies.Prototype.size() * bodies.Matrices.size()),
       [](const glm::vec4& color) {
         return std::max({ color.x, color.y, color.z }) > 1.0f;
       });
@@ -358,14 +288,14 @@ Balls FindBalls(vtkPolyData* geometry, const Cube& box, const MeshView& mesh)
     }
     BallGroup group;
     group.Scale = scale;
-    const std::vector<std::size_t> order = Shuffle(bodies.Count);
-    group.Spheres = ListSpheres(geometry, bodies, order, box, scale, mesh);
+    const std::vector<std::size_t> order = Shuffle(bodies.Matrices.size());
+    group.Spheres = ListSpheres(bodies, order, box, scale, mesh);
     if (group.Spheres.empty() || !PaintSquares(bodies, order, corners, colors, group))
     {
       continue;
     }
     std::fill_n(balls.AreTriangles.begin() + static_cast<std::ptrdiff_t>(bodies.FirstTriangle),
-      bodies.Triangles * bodies.Count, true);
+      bodies.Triangles * bodies.Matrices.size(), true);
     balls.Groups.push_back(std::move(group));
   }
   return balls;

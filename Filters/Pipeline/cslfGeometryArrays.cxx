@@ -138,4 +138,63 @@ std::string DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles)
               : "increase GeometryTriangles.")
                                   : "";
 }
+
+std::vector<BodyGroupData> ListBodyGroups(
+  vtkPolyData* geometry, std::size_t points, std::size_t triangles)
+{
+  vtkFieldData* fields = geometry->GetFieldData();
+  vtkDataArray* sizes = fields->GetArray(GeometryGroupsName);
+  vtkDataArray* prototypes = fields->GetArray(GeometryPrototypesName);
+  vtkDataArray* placements = fields->GetArray(GeometryPlacementsName);
+  if (!sizes || !prototypes || !placements || sizes->GetNumberOfComponents() != 4 ||
+    prototypes->GetNumberOfComponents() != 3 || placements->GetNumberOfComponents() != 12)
+  {
+    return {};
+  }
+  std::vector<BodyGroupData> groups;
+  vtkIdType prototype = 0;
+  vtkIdType placement = 0;
+  std::size_t point = points;
+  std::size_t triangle = triangles;
+  for (vtkIdType i = 0; i < sizes->GetNumberOfTuples(); ++i)
+  {
+    double size[4];
+    sizes->GetTuple(i, size);
+    if (!(std::min({ size[0], size[1], size[2] }) >= 1.0) ||
+      !(size[0] <= static_cast<double>(prototypes->GetNumberOfTuples() - prototype)) ||
+      !(size[2] <= static_cast<double>(placements->GetNumberOfTuples() - placement)) ||
+      !(size[0] * size[2] <= static_cast<double>(point)) ||
+      !(size[1] * size[2] <= static_cast<double>(triangle)))
+    {
+      return {};
+    }
+    BodyGroupData& group = groups.emplace_back();
+    group.Prototype.resize(static_cast<std::size_t>(size[0]));
+    for (glm::dvec3& place : group.Prototype)
+    {
+      prototypes->GetTuple(prototype++, &place.x);
+    }
+    group.Triangles = static_cast<std::size_t>(size[1]);
+    group.Matrices.resize(static_cast<std::size_t>(size[2]));
+    for (std::array<double, 12>& matrix : group.Matrices)
+    {
+      placements->GetTuple(placement++, matrix.data());
+    }
+    group.AreBalls = size[3] != 0.0;
+    point -= group.Prototype.size() * group.Matrices.size();
+    triangle -= group.Triangles * group.Matrices.size();
+  }
+  if (prototype != prototypes->GetNumberOfTuples() || placement != placements->GetNumberOfTuples())
+  {
+    return {};
+  }
+  for (BodyGroupData& group : groups)
+  {
+    group.FirstPoint = point;
+    group.FirstTriangle = triangle;
+    point += group.Prototype.size() * group.Matrices.size();
+    triangle += group.Triangles * group.Matrices.size();
+  }
+  return groups;
+}
 }

@@ -13,8 +13,13 @@
 
 #include <vtkType.h>
 
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -68,6 +73,22 @@ constexpr const char* GeometryGroupsName = "GeometryGroups";
 constexpr const char* GeometryPrototypesName = "GeometryPrototypes";
 constexpr const char* GeometryPlacementsName = "GeometryPlacements";
 ///@}
+
+/// A group of bodies.
+struct BodyGroupData
+{
+  std::vector<glm::dvec3> Prototype;
+  std::size_t Triangles = 0;                    ///< of the prototype
+  std::vector<std::array<double, 12>> Matrices; ///< of each body, row by row
+  bool AreBalls = false;
+  std::size_t FirstPoint = 0; ///< of the geometry
+  std::size_t FirstTriangle = 0;
+};
+
+/// The groups that the field data of a geometry with that many points and triangles tells of; none
+/// if it does not fit. It is not checked that points and triangles are where it says.
+std::vector<BodyGroupData> VTKCSLF_EXPORT ListBodyGroups(
+  vtkPolyData* geometry, std::size_t points, std::size_t triangles);
 
 /// A text: the description of the field in the file beside which the tool wrote the geometry.
 constexpr const char* GeometryFieldName = "GeometryField";

@@ -241,53 +241,15 @@ std::array<double, 12> BodyGroups::GetMatrix(const BodyGroup& group, std::size_t
 BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const Cube& box,
   int positionBits, int maximum, PointCodes& codes)
 {
-  vtkFieldData* fields = geometry->GetFieldData();
-  vtkDataArray* sizes = fields->GetArray(GeometryGroupsName);
-  vtkDataArray* prototypes = fields->GetArray(GeometryPrototypesName);
-  vtkDataArray* placements = fields->GetArray(GeometryPlacementsName);
-  if (!sizes || !prototypes || !placements || sizes->GetNumberOfComponents() != 4 ||
-    prototypes->GetNumberOfComponents() != 3 || placements->GetNumberOfComponents() != 12)
+  const auto allPoints = static_cast<std::size_t>(triangles->GetNumberOfPoints());
+  const auto allTriangles = static_cast<std::size_t>(triangles->GetNumberOfPolys());
+  const std::vector<BodyGroupData> all = ListBodyGroups(geometry, allPoints, allTriangles);
+  if (all.empty() || static_cast<double>(allPoints + allTriangles) > MaximumTotal)
   {
     return {};
   }
-  struct Size
-  {
-    vtkIdType Points;
-    vtkIdType Triangles;
-    vtkIdType Bodies;
-    bool AreBalls;
-  };
-  std::vector<Size> all;
-  vtkIdType point = triangles->GetNumberOfPoints();
-  vtkIdType triangle = triangles->GetNumberOfPolys();
-  vtkIdType prototypePoints = 0;
-  vtkIdType bodies = 0;
-  for (vtkIdType i = 0; i < sizes->GetNumberOfTuples(); ++i)
-  {
-    double size[4];
-    sizes->GetTuple(i, size);
-    const auto left = static_cast<double>(point + triangle);
-    if (!std::all_of(std::begin(size), std::begin(size) + 3,
-          [left](double number) { return number >= 1.0 && number <= left; }) ||
-      std::max(size[0], size[1]) * size[2] > left || left > MaximumTotal)
-    {
-      return {};
-    }
-    all.push_back({ vtkIdType(size[0]), vtkIdType(size[1]), vtkIdType(size[2]), size[3] != 0.0 });
-    point -= all.back().Points * all.back().Bodies;
-    triangle -= all.back().Triangles * all.back().Bodies;
-    prototypePoints += all.back().Points;
-    bodies += all.back().Bodies;
-    if (point < 0 || triangle < 0)
-    {
-      return {};
-    }
-  }
-  if (prototypePoints != prototypes->GetNumberOfTuples() ||
-    bodies != placements->GetNumberOfTuples())
-  {
-    return {};
-  }
+  auto point = static_cast<vtkIdType>(all.front().FirstPoint);
+  auto triangle = static_cast<vtkIdType>(all.front().FirstTriangle);
   const std::vector<unsigned int> corners = ListCorners(triangles);
   if (std::any_of(corners.begin(), corners.begin() + 3 * triangle,
         [point](unsigned int corner) { return corner >= point; }))
@@ -296,16 +258,15 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
   }
   BodyGroups result;
   result.PositionBits = positionBits;
-  vtkIdType prototype = 0;
-  vtkIdType placement = 0;
-  for (const Size& size : all)
+  for (const BodyGroupData& listed : all)
   {
+    const auto points = static_cast<vtkIdType>(listed.Prototype.size());
+    const auto groupTriangles = static_cast<vtkIdType>(listed.Triangles);
     BodyGroup group;
-    group.AreBalls = size.AreBalls;
-    std::vector<glm::dvec3> places(size.Points);
-    for (glm::dvec3& place : places)
+    group.AreBalls = listed.AreBalls;
+    const std::vector<glm::dvec3>& places = listed.Prototype;
+    for (const glm::dvec3& place : places)
     {
-      prototypes->GetTuple(prototype++, &place.x);
       group.Extent =
         std::max({ group.Extent, std::abs(place.x), std::abs(place.y), std::abs(place.z) });
     }
@@ -313,12 +274,11 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
     {
       return {};
     }
-    std::vector<std::array<double, 12>> matrices(size.Bodies);
+    std::vector<std::array<double, 12>> matrices = listed.Matrices;
     for (std::array<double, 12>& matrix : matrices)
     {
-      placements->GetTuple(placement++, matrix.data());
       const bool isMirrored = IsMirrored(matrix);
-      for (vtkIdType i = 0; i < size.Points; ++i, ++point)
+      for (vtkIdType i = 0; i < points; ++i, ++point)
       {
         double found[3];
         triangles->GetPoint(point, found);
@@ -330,8 +290,8 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
           return {};
         }
       }
-      const unsigned int first = static_cast<unsigned int>(point - size.Points);
-      for (vtkIdType corner = 0; corner < 3 * size.Triangles; ++corner)
+      const unsigned int first = static_cast<unsigned int>(point - points);
+      for (vtkIdType corner = 0; corner < 3 * groupTriangles; ++corner)
       {
         // Mirrored bodies have their last two corners exchanged.
         const vtkIdType from =
@@ -341,12 +301,12 @@ BodyGroups BodyGroups::Take(vtkPolyData* geometry, vtkPolyData* triangles, const
         {
           group.Corners.push_back(number);
         }
-        if (number >= size.Points || number != group.Corners[corner])
+        if (number >= points || number != group.Corners[corner])
         {
           return {};
         }
       }
-      triangle += size.Triangles;
+      triangle += groupTriangles;
       // From world to cube coordinates.
       for (int row = 0; row < 3; ++row)
       {
