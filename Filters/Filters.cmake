@@ -27,7 +27,7 @@ cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
+  ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
   Phase PolygonFill Requests ScenePipeline TriangleList ValidPolyData
   VTKCompatibility)
 

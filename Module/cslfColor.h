@@ -33,6 +33,12 @@ inline double LinearToSRGB(double linear)
   return clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1.0 / 2.4) - 0.055;
 }
 
+/// The same without an upper end, for what is brighter than white. The opposite of SRGBToLinear.
+inline double EncodeLight(double linear)
+{
+  return linear > 1.0 ? 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055 : LinearToSRGB(linear);
+}
+
 inline glm::dvec3 SRGBToLinear(const glm::dvec3& encoded)
 {
   return { SRGBToLinear(encoded.x), SRGBToLinear(encoded.y), SRGBToLinear(encoded.z) };

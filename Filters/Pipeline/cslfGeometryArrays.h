@@ -39,6 +39,26 @@ constexpr const char* ExactColorName = "ExactColor";
 /// 1 and 8 for each doubling, rounded. Of a surface that is brighter by this factor, at least 1.
 unsigned char VTKCSLF_EXPORT ToExactCode(double brightness);
 
+/// Point data, an unsigned character: 0, or the number, from 1, of the map by which scalars give the
+/// surface around the point its colours. See cslfColorMap.h.
+constexpr const char* ColorMapName = "CSLF:ColorMap";
+
+///@{
+/// Point data of three floats, for points with a map: the light that leaves the surface in all
+/// directions, if its map gave white, times exposure, linear; on the front, and on the back if it
+/// differs.
+constexpr const char* LightName = "CSLF:Light";
+constexpr const char* BackLightName = "CSLF:BackLight";
+///@}
+
+///@{
+/// Field data: a text of JSON for each map, with the name of the array of scalars among the point
+/// data; and the colours of all maps, of four unsigned characters: each has those below its range,
+/// within it in equal steps, above it, and of what is not a number.
+constexpr const char* ColorMapsName = "CSLF:ColorMaps";
+constexpr const char* ColorMapColorsName = "CSLF:ColorMapColors";
+///@}
+
 /// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
 /// from the geometry, without those that it lost.
 constexpr const char* GeometryErrorName = "GeometryError";

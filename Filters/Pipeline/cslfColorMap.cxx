@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfColorMap.h"
+
+#include "cslfChannel.h"
+#include "cslfColor.h"
+#include "cslfGeometryArrays.h"
+#include "cslfJSONText.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkScalarsToColors.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace cslf
+{
+namespace
+{
+/// The largest number of steps of a map. Those of continuous colours have it.
+constexpr int MaximumSteps = 4096;
+
+/// The distance of values in the range from its ends, in steps, so that floats never round them to
+/// values outside.
+constexpr double Inset = 1e-3;
+
+/// Far outside of the range, a place must remain a number that floats can interpolate.
+constexpr double MaximumColumn = 1e6;
+
+constexpr const char* ArrayKey = "array";
+constexpr const char* ComponentKey = "component";
+constexpr const char* RangeKey = "range";
+constexpr const char* LogarithmicKey = "logarithmic";
+constexpr const char* StepsKey = "steps";
+
+/// What lies at the value 0 of a logarithmic range.
+double ToScale(double value, bool isLogarithmic)
+{
+  return isLogarithmic ? std::log10(std::max(value, VTK_DBL_MIN)) : value;
+}
+
+ColorMap::Pixel ToPixel(const unsigned char* color)
+{
+  return { color[0], color[1], color[2], color[3] };
+}
+
+bool IsValid(const double range[2], bool isLogarithmic)
+{
+  return range[0] < range[1] && std::isfinite(range[1] - range[0]) &&
+    !(isLogarithmic && range[0] <= 0.0);
+}
+
+vtkSmartPointer<vtkFloatArray> MakeLight(const char* name, const std::vector<glm::vec3>& codes)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(codes.size()));
+  for (std::size_t i = 0; i < codes.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      array->SetTypedComponent(static_cast<vtkIdType>(i), c, float(SRGBToLinear(codes[i][c])));
+    }
+  }
+  return array;
+}
+
+/// An array of point data with so many components, or null.
+vtkDataArray* FindArray(vtkPolyData* geometry, const std::string& name, int components)
+{
+  vtkDataArray* array = geometry->GetPointData()->GetArray(name.c_str());
+  const bool fits = array && array->GetNumberOfComponents() == components &&
+    array->GetNumberOfTuples() == geometry->GetNumberOfPoints();
+  return fits ? array : nullptr;
+}
+
+/// The maps in the field data. None if they do not fit.
+std::vector<ColorMap> FindMaps(vtkPolyData* geometry)
+{
+  vtkFieldData* fields = geometry->GetFieldData();
+  auto* texts = vtkStringArray::SafeDownCast(fields->GetAbstractArray(ColorMapsName));
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray(ColorMapColorsName));
+  std::vector<ColorMap> maps;
+  if (!texts || !colors || colors->GetNumberOfComponents() != 4)
+  {
+    return maps;
+  }
+  vtkIdType next = 0;
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+  {
+    ColorMap map = ReadColorMap(texts->GetValue(i));
+    if (next + static_cast<vtkIdType>(map.Colors.size()) >= colors->GetNumberOfTuples())
+    {
+      return {};
+    }
+    for (ColorMap::Pixel& color : map.Colors)
+    {
+      color = ToPixel(colors->GetPointer(4 * next++));
+    }
+    map.NanColor = ToPixel(colors->GetPointer(4 * next++));
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+}
+
+bool ColorMap::IsOpaque() const
+{
+  return this->NanColor[3] == 255 &&
+    std::all_of(
+      this->Colors.begin(), this->Colors.end(), [](const Pixel& color) { return color[3] == 255; });
+}
+
+std::string ColorMap::GetScalarName() const
+{
+  const std::string name = this->Array.empty() ? "Scalars" : this->Array;
+  if (!this->Component.empty())
+  {
+    return name + " " + this->Component;
+  }
+  const bool isTaken = name == ColorName || name == BackColorName || name == ExactColorName ||
+    name == LightName || name == BackLightName || name == ColorMapName;
+  return isTaken ? name + " (scalars)" : name;
+}
+
+glm::vec2 ColorMap::GetPlace(double value) const
+{
+  const int steps = this->GetSteps();
+  if (std::isnan(value))
+  {
+    return { 0.5f * static_cast<float>(steps + 2), 1.0f };
+  }
+  const double first = ToScale(this->Range[0], this->IsLogarithmic);
+  const double last = ToScale(this->Range[1], this->IsLogarithmic);
+  double column = 1.0 + steps * (ToScale(value, this->IsLogarithmic) - first) / (last - first);
+  if (value >= this->Range[0] && value <= this->Range[1])
+  {
+    column = std::clamp(column, 1.0 + Inset, 1.0 + steps - Inset);
+  }
+  return { static_cast<float>(std::clamp(column, -MaximumColumn, MaximumColumn)), 0.0f };
+}
+
+double ColorMap::GetValue(const glm::vec2& place) const
+{
+  if (place.y > 0.5f)
+  {
+    return vtkMath::Nan();
+  }
+  const double first = ToScale(this->Range[0], this->IsLogarithmic);
+  const double last = ToScale(this->Range[1], this->IsLogarithmic);
+  const double value = first + (double(place.x) - 1.0) / this->GetSteps() * (last - first);
+  return this->IsLogarithmic ? std::pow(10.0, value) : value;
+}
+
+glm::vec3 ColorMap::GetColor(const glm::vec2& place) const
+{
+  const float last = static_cast<float>(this->Colors.size() - 1);
+  const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0f, last));
+  const Pixel& color = place.y > 0.5f ? this->NanColor : this->Colors[column];
+  return SRGBToLinear(glm::dvec3(color[0], color[1], color[2]) / 255.0);
+}
+
+ColorMap MakeColorMap(vtkScalarsToColors* table)
+{
+  ColorMap map;
+  std::copy_n(table->GetRange(), 2, map.Range);
+  map.IsLogarithmic = table->UsingLogScale() != 0;
+  if (table->GetIndexedLookup() || !IsValid(map.Range, map.IsLogarithmic))
+  {
+    return map;
+  }
+  const vtkIdType count = table->GetNumberOfAvailableColors();
+  const int steps = count > 0 && count <= MaximumSteps ? static_cast<int>(count) : MaximumSteps;
+  vtkNew<vtkDoubleArray> values;
+  for (int i = 0; i < steps + 2; ++i)
+  {
+    double part = (i - 0.5) / steps;
+    part = i == 0 ? -1.0 : i == steps + 1 ? 2.0 : part;
+    values->InsertNextValue(map.IsLogarithmic
+        ? map.Range[0] * std::pow(map.Range[1] / map.Range[0], part)
+        : map.Range[0] + part * (map.Range[1] - map.Range[0]));
+  }
+  values->InsertNextValue(vtkMath::Nan());
+  const auto mapped =
+    vtk::TakeSmartPointer(table->MapScalars(values, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
+  for (vtkIdType i = 0; i < steps + 2; ++i)
+  {
+    map.Colors.push_back(ToPixel(mapped->GetPointer(4 * i)));
+  }
+  map.NanColor = ToPixel(mapped->GetPointer(4 * (vtkIdType(steps) + 2)));
+  return map;
+}
+
+vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
+{
+  const auto set = [](const ColorMap::Pixel& color, double value[4])
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      value[c] = color[c] / 255.0;
+    }
+  };
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(map.GetSteps());
+  double value[4];
+  for (int i = 0; i < map.GetSteps(); ++i)
+  {
+    set(map.Colors[i + 1], value);
+    table->SetTableValue(i, value);
+  }
+  map.IsLogarithmic ? table->SetScaleToLog10() : table->SetScaleToLinear();
+  table->SetTableRange(map.Range[0], map.Range[1]);
+  set(map.Colors.front(), value);
+  table->SetBelowRangeColor(value);
+  table->UseBelowRangeColorOn();
+  set(map.Colors.back(), value);
+  table->SetAboveRangeColor(value);
+  table->UseAboveRangeColorOn();
+  set(map.NanColor, value);
+  table->SetNanColor(value);
+  return table;
+}
+
+std::string DescribeColorMap(const ColorMap& map)
+{
+  nlohmann::json text = { { ArrayKey, map.Array }, { RangeKey, { map.Range[0], map.Range[1] } },
+    { StepsKey, map.GetSteps() } };
+  if (!map.Component.empty())
+  {
+    text[ComponentKey] = map.Component;
+  }
+  if (map.IsLogarithmic)
+  {
+    text[LogarithmicKey] = true;
+  }
+  return text.dump();
+}
+
+ColorMap ReadColorMap(const std::string& text)
+{
+  const nlohmann::json from = ParseJSON(text);
+  ColorMap map;
+  map.Array = from.at(ArrayKey).get<std::string>();
+  map.Component = from.value(ComponentKey, std::string());
+  map.IsLogarithmic = from.value(LogarithmicKey, false);
+  const auto range = from.at(RangeKey).get<std::array<double, 2>>();
+  std::copy(range.begin(), range.end(), map.Range);
+  const int steps = from.at(StepsKey).get<int>();
+  if (steps < 1 || steps > MaximumSteps || !IsValid(map.Range, map.IsLogarithmic))
+  {
+    throw std::invalid_argument("a color map is invalid");
+  }
+  map.Colors.resize(std::size_t(steps) + 2);
+  return map;
+}
+
+glm::dvec3 ShowLight(const glm::dvec3& light, const ColorMap& map, const glm::vec2& place)
+{
+  return LinearToSRGB(SRGBToLinear(light) * glm::dvec3(map.GetColor(place)));
+}
+
+void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
+{
+  if (points.IsEmpty())
+  {
+    return;
+  }
+  const auto count = static_cast<vtkIdType>(points.Numbers.size());
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(ColorMapsName);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName(ColorMapColorsName);
+  colors->SetNumberOfComponents(4);
+  std::map<std::string, vtkSmartPointer<vtkFloatArray>> scalars;
+  for (const ColorMap& map : points.Maps)
+  {
+    texts->InsertNextValue(DescribeColorMap(map));
+    for (const ColorMap::Pixel& color : map.Colors)
+    {
+      colors->InsertNextTypedTuple(color.data());
+    }
+    colors->InsertNextTypedTuple(map.NanColor.data());
+    vtkSmartPointer<vtkFloatArray>& array = scalars[map.GetScalarName()];
+    if (!array)
+    {
+      array = vtkSmartPointer<vtkFloatArray>::New();
+      array->SetName(map.GetScalarName().c_str());
+      array->SetNumberOfTuples(count);
+      array->FillValue(std::numeric_limits<float>::quiet_NaN());
+      array->SetLookupTable(MakeLookupTable(map));
+    }
+  }
+  vtkNew<vtkUnsignedCharArray> numbers;
+  numbers->SetName(ColorMapName);
+  numbers->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto point = static_cast<std::size_t>(i);
+    numbers->SetValue(i, points.Numbers[point]);
+    if (points.Has(point))
+    {
+      scalars[points.GetMap(point).GetScalarName()]->SetValue(
+        i, static_cast<float>(points.Scalars[point]));
+    }
+  }
+  geometry->GetFieldData()->AddArray(texts);
+  geometry->GetFieldData()->AddArray(colors);
+  vtkPointData* data = geometry->GetPointData();
+  data->AddArray(numbers);
+  data->AddArray(MakeLight(LightName, points.Light[0]));
+  if (points.Light[1] != points.Light[0])
+  {
+    data->AddArray(MakeLight(BackLightName, points.Light[1]));
+  }
+  for (const auto& [name, array] : scalars)
+  {
+    data->AddArray(array);
+  }
+}
+
+MappedPoints FindMappedPoints(vtkPolyData* geometry)
+try
+{
+  MappedPoints points;
+  vtkDataArray* numbers = FindArray(geometry, ColorMapName, 1);
+  vtkDataArray* front = FindArray(geometry, LightName, 3);
+  if (!numbers || !front)
+  {
+    return points;
+  }
+  points.Maps = FindMaps(geometry);
+  std::vector<vtkDataArray*> scalars;
+  for (const ColorMap& map : points.Maps)
+  {
+    scalars.push_back(FindArray(geometry, map.GetScalarName(), 1));
+  }
+  vtkDataArray* back = FindArray(geometry, BackLightName, 3);
+  vtkDataArray* lights[2] = { front, back ? back : front };
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const double number = numbers->GetTuple1(i);
+    const bool isMapped = number >= 1.0 && number <= double(scalars.size());
+    vtkDataArray* own = isMapped ? scalars[std::size_t(number) - 1] : nullptr;
+    if (number != 0.0 && !own)
+    {
+      return {};
+    }
+    points.Numbers.push_back(static_cast<std::uint8_t>(number));
+    points.Scalars.push_back(own ? own->GetTuple1(i) : 0.0);
+    for (const std::size_t side : { 0, 1 })
+    {
+      double light[3];
+      lights[side]->GetTuple(i, light);
+      points.Light[side].emplace_back(
+        EncodeLight(light[0]), EncodeLight(light[1]), EncodeLight(light[2]));
+    }
+  }
+  return points;
+}
+catch (const std::exception&)
+{
+  return {};
+}
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How scalars become the base colours of surfaces, and the points of a geometry that have such.
+ */
+#ifndef cslfColorMap_h
+#define cslfColorMap_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkScalarsToColors;
+
+namespace cslf
+{
+/// A lookup table as a row of colours. Scalars are interpolated before they are mapped, like VTK's
+/// with vtkMapper::InterpolateScalarsBeforeMapping.
+struct VTKCSLF_EXPORT ColorMap
+{
+  using Pixel = std::array<std::uint8_t, 4>; ///< red, green and blue, sRGB-encoded, and alpha
+
+  std::string Array;     ///< the name of the scalars' array
+  std::string Component; ///< which component, or Magnitude; empty if the array has only one
+  double Range[2] = { 0.0, 1.0 };
+  bool IsLogarithmic = false;
+  std::vector<Pixel> Colors; ///< below the range, in equal steps within it, and above it
+  Pixel NanColor{};          ///< of scalars that are not numbers
+
+  int GetSteps() const { return static_cast<int>(this->Colors.size()) - 2; }
+  bool IsOpaque() const;
+
+  /// Array and component, as the name of an array.
+  std::string GetScalarName() const;
+
+  /// A place on the map, which is interpolated linearly: first the column, from 1 at the beginning
+  /// of the range to 1 + steps at its end, then 0, or 1 for values that are not numbers.
+  glm::vec2 GetPlace(double value) const;
+
+  /// The value at a place.
+  double GetValue(const glm::vec2& place) const;
+
+  /// The colour at a place, between colours the nearest, linear.
+  glm::vec3 GetColor(const glm::vec2& place) const;
+};
+
+/// The map of a lookup table, without names. It has no colours if the table is one of categories or
+/// has no range.
+VTKCSLF_EXPORT ColorMap MakeColorMap(vtkScalarsToColors* table);
+
+/// A lookup table that maps like a map.
+vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map);
+
+///@{
+/// Says as JSON what maps are, without their colours, and the opposite, which throws
+/// std::exception.
+std::string VTKCSLF_EXPORT DescribeColorMap(const ColorMap& map);
+ColorMap VTKCSLF_EXPORT ReadColorMap(const std::string& text);
+///@}
+
+/// The points of a geometry whose colours a map tells: see ColorMapName in cslfGeometryArrays.h.
+struct MappedPoints
+{
+  std::vector<ColorMap> Maps;
+  std::vector<std::uint8_t> Numbers; ///< of each point: 0 without a map, or 1 for the first
+  std::vector<double> Scalars;       ///< of each point
+
+  /// Of each point, on the front and on the back, the light that a white surface would reflect to
+  /// everywhere, times exposure, sRGB-encoded, and above 1 by the same formula. Values between
+  /// points are interpolated so.
+  std::array<std::vector<glm::vec3>, 2> Light;
+
+  bool IsEmpty() const { return this->Maps.empty(); }
+  bool Has(std::size_t point) const { return !this->Numbers.empty() && this->Numbers[point] > 0; }
+  const ColorMap& GetMap(std::size_t point) const { return this->Maps[this->Numbers[point] - 1]; }
+  glm::vec2 GetPlace(std::size_t point) const
+  {
+    return this->GetMap(point).GetPlace(this->Scalars[point]);
+  }
+};
+
+/// The colour of a surface with interpolated light, sRGB-encoded.
+glm::dvec3 VTKCSLF_EXPORT ShowLight(
+  const glm::dvec3& light, const ColorMap& map, const glm::vec2& place);
+
+///@{
+/// Gives a geometry the arrays that tell of mapped points, one for each of its points, and reads
+/// them. None if it has none, or if they do not fit.
+void VTKCSLF_EXPORT AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry);
+MappedPoints VTKCSLF_EXPORT FindMappedPoints(vtkPolyData* geometry);
+///@}
+}
+
+#endif
