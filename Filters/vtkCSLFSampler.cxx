@@ -302,6 +302,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
       // Rays may pass veils before the surfaces, which only the viewpoints show. And the colours
       // were fitted to be interpolated as sRGB, but floats are interpolated as they are.
       colors.Exact = {};
+      colors.DropMaps();
     }
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
@@ -345,6 +346,7 @@ bool vtkCSLFSampler::RenderSides(
   const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors)
 {
   colors.Exact = geometry.Colors.Exact;
+  colors.Mapped = geometry.Colors.Mapped;
   for (std::size_t side = 0; side < colors.Sides.size(); ++side)
   {
     const auto& [points, rays] = geometry.Sides[side];
@@ -370,7 +372,8 @@ bool vtkCSLFSampler::RenderSides(
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      colors.Sides[side][points[i]] = cslf::GetColor(array, static_cast<vtkIdType>(i));
+      colors.Sides[side][points[i]] =
+        colors.ToLight(points[i], cslf::GetColor(array, static_cast<vtkIdType>(i)));
     }
   }
   return true;

@@ -23,6 +23,9 @@ constexpr float CreaseCosine = 0.77f;
 /// At an edge where many triangles meet, each is compared with fewer than this many others.
 constexpr std::size_t MaximumMeetings = 8;
 
+/// How near places on a map are, in columns, to become one.
+constexpr float MaximumDistance = 0.01f;
+
 /// How little colours of corners at one place differ to become one.
 constexpr float MaximumDifference = 2.0f / 255.0f;
 
@@ -152,7 +155,7 @@ void ColorFit::JoinCorners()
 
 // The matrix of least squares times a vector.
 void ColorFit::Apply(
-  int side, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const
+  int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const
 {
   std::fill(results.begin(), results.end(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < this->Values.size(); ++i)
@@ -160,7 +163,7 @@ void ColorFit::Apply(
     const glm::uvec3& corners = this->Values[i];
     const glm::vec3 own[3] = { values[corners.x], values[corners.y], values[corners.z] };
     glm::vec3 products[3];
-    this->Samples[i].Sides[side].Multiply(own, products);
+    this->GetSums(i, kind).Multiply(own, products);
     const float smoothness = Smoothness * this->Samples[i].Area;
     const glm::vec3 sum = own[0] + own[1] + own[2];
     for (int k = 0; k < 3; ++k)
@@ -171,16 +174,16 @@ void ColorFit::Apply(
 }
 
 // The method of conjugate gradients, preconditioned by the matrix's diagonal.
-void ColorFit::SolveSide(int side, const std::function<void(double)>& proceed)
+void ColorFit::SolveKind(int kind, const std::function<void(double)>& proceed)
 {
   const std::size_t count = this->Places.size();
   std::vector<glm::vec3> rest(count, glm::vec3(0.0f));
   std::vector<float> diagonal(count, 0.0f);
   std::vector<float> weights(count, 0.0f);
-  std::vector<glm::vec3>& values = this->Colors[side];
+  std::vector<glm::vec3>& values = this->Colors[kind];
   for (std::size_t i = 0; i < this->Values.size(); ++i)
   {
-    const SampleSums& sums = this->Samples[i].Sides[side];
+    const SampleSums& sums = this->GetSums(i, kind);
     for (int k = 0; k < 3; ++k)
     {
       const unsigned int place = this->Values[i][k];
@@ -196,7 +199,7 @@ void ColorFit::SolveSide(int side, const std::function<void(double)>& proceed)
     diagonal[i] = diagonal[i] > 0.0f ? 1.0f / diagonal[i] : 0.0f;
   }
   std::vector<glm::vec3> product(count);
-  this->Apply(side, values, product);
+  this->Apply(kind, values, product);
   std::vector<glm::vec3> direction(count);
   glm::dvec3 length(0.0);
   for (std::size_t i = 0; i < count; ++i)
@@ -209,7 +212,7 @@ void ColorFit::SolveSide(int side, const std::function<void(double)>& proceed)
   for (int k = 0; k < MaximumIterations; ++k)
   {
     proceed(1.0);
-    this->Apply(side, direction, product);
+    this->Apply(kind, direction, product);
     glm::dvec3 curvature(0.0);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -248,18 +251,37 @@ void ColorFit::SolveSide(int side, const std::function<void(double)>& proceed)
 void ColorFit::Solve(const std::function<void(double)>& proceed)
 {
   this->JoinCorners();
-  for (const int side : { 0, 1 })
+  const bool hasMaps = std::any_of(this->Samples.begin(), this->Samples.end(),
+    [](const TriangleSamples& samples) { return samples.Map > 0; });
+  for (int kind = 0; kind < (hasMaps ? Kinds : PlaceKind); ++kind)
   {
-    this->SolveSide(side, proceed);
+    this->SolveKind(kind, proceed);
   }
 }
 
+// Light on dark surfaces may err by more: displayed colours are about the products of both.
 double ColorFit::FindError(std::size_t triangle, int side) const
 {
   const glm::uvec3& corners = this->Values[triangle];
   const std::vector<glm::vec3>& colors = this->Colors[side];
   const glm::vec3 own[3] = { colors[corners.x], colors[corners.y], colors[corners.z] };
-  return this->Samples[triangle].Sides[side].GetError(own) / 3.0;
+  const TriangleSamples& samples = this->Samples[triangle];
+  return samples.BaseSquare * samples.Sides[side].GetError(own) / 3.0;
+}
+
+// The error of places, as one of colours that is as bad.
+double ColorFit::FindPlaceError(std::size_t triangle) const
+{
+  const TriangleSamples& samples = this->Samples[triangle];
+  if (samples.Map == 0)
+  {
+    return 0.0;
+  }
+  const glm::uvec3& corners = this->Values[triangle];
+  const std::vector<glm::vec3>& places = this->Colors[PlaceKind];
+  const glm::vec3 own[3] = { places[corners.x], places[corners.y], places[corners.z] };
+  const double factor = this->Settings.Tolerance / samples.PlaceTolerance;
+  return factor * factor * samples.Places.GetError(own);
 }
 
 // Whether the colours of a triangle vary more than a number of tolerances, however they are lit.
@@ -290,7 +312,7 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
-    double error = this->Samples[i].Detail / 3.0;
+    double error = std::max(this->Samples[i].Detail / 3.0, this->FindPlaceError(i));
     for (const int side : { 0, 1 })
     {
       error = std::max(error, this->FindError(i, side));
@@ -449,6 +471,7 @@ std::array<std::vector<char>, 2> ColorFit::FindExact() const
   const auto errs = [&](std::size_t triangle, int side)
   {
     return this->FindError(triangle, side) > most * this->Samples[triangle].Area ||
+      this->FindPlaceError(triangle) > most * this->Samples[triangle].Area ||
       this->HasDetail(triangle, ExactDetailTolerances);
   };
   double known = 0.0;
@@ -512,7 +535,22 @@ std::array<std::vector<unsigned char>, 2> ColorFit::FindExactCodes() const
   return codes;
 }
 
-SideColors ColorFit::Finish()
+// The map of each value, whose triangles all belong to one body.
+std::vector<std::uint8_t> ColorFit::FindMaps() const
+{
+  std::vector<std::uint8_t> maps(this->Places.size(), 0);
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      std::uint8_t& map = maps[this->Values[i][k]];
+      map = std::max(map, this->Samples[i].Map);
+    }
+  }
+  return maps;
+}
+
+SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
 {
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
@@ -528,8 +566,20 @@ SideColors ColorFit::Finish()
       }
     }
   }
+  const std::vector<std::uint8_t> maps = this->FindMaps();
+  const std::vector<glm::vec3>& own = this->Colors[PlaceKind];
+  const bool hasMaps = !own.empty();
+  float mostLight = 0.0f;
+  for (const TriangleSamples& samples : this->Samples)
+  {
+    mostLight = std::max(mostLight, samples.MaximumLight);
+  }
   const auto areAlike = [&](unsigned int a, unsigned int b)
   {
+    if (maps[a] != maps[b] || (maps[a] > 0 && glm::distance(own[a], own[b]) > MaximumDistance))
+    {
+      return false;
+    }
     for (const int side : { 0, 1 })
     {
       const glm::vec3 difference = glm::abs(this->Colors[side][a] - this->Colors[side][b]);
@@ -572,10 +622,18 @@ SideColors ColorFit::Finish()
     for (const int side : { 0, 1 })
     {
       const glm::vec3 color = glm::max(this->Colors[side][value], glm::vec3(0.0f));
+      // Points with hardly any samples may have got any light.
+      const bool isClamped = this->Settings.ClampsColors || maps[value] > 0;
+      const glm::vec3 most(maps[value] > 0 ? mostLight : 1.0f);
       result.Sides[side].push_back(areKnown[side][value]
-          ? glm::vec4(this->Settings.ClampsColors ? glm::min(color, glm::vec3(1.0f)) : color, 1.0f)
+          ? glm::vec4(isClamped ? glm::min(color, most) : color, 1.0f)
           : glm::vec4(0.0f));
       result.Exact[side].push_back(exact[side][value]);
+    }
+    if (hasMaps)
+    {
+      result.Mapped.Numbers.push_back(maps[value]);
+      places.emplace_back(own[value]);
     }
   }
   for (const glm::uvec3& corners : this->Values)

@@ -117,7 +117,15 @@ struct TriangleSamples
   float Area = 0.0f; ///< 0 if it has none
   /// How much brighter the samples are than their colours, at least 1.
   float Brightness[2] = { 1.0f, 1.0f };
-  double Detail = 0.0;       ///< GetLeastError of the colours under white light, of either side
+  double Detail = 0.0; ///< GetLeastError of the colours under white light, of either side
+
+  /// The number of the map that tells its colours, from 1, or 0: then the sides have colours,
+  /// otherwise light, and places on the map.
+  std::uint8_t Map = 0;
+  SampleSums Places;
+  float PlaceTolerance = 0.0f; ///< the RMS error of places that is small enough
+  float MaximumLight = 0.0f;   ///< of the samples
+  float BaseSquare = 1.0f;   ///< the mean square of its colours under white light, if it has a map
   bool IsRound = false;      ///< whether what it belongs to has no creases
   std::uint32_t Body = None; ///< what it belongs to
 };
@@ -166,16 +174,29 @@ public:
   /// Divides triangles that err. False if there are none, or no more are allowed.
   bool Refine();
 
-  /// Gives each colour a point of its own, unless those at a place are nearly the same.
-  SideColors Finish();
+  /// Gives each colour a point of its own, unless those at a place are nearly the same. Mapped
+  /// points get no scalars, but their places.
+  SideColors Finish(std::vector<glm::vec2>& places);
 
 private:
+  /// What is fitted: the colours of both sides, and places on maps.
+  static constexpr int Kinds = 3;
+  static constexpr int PlaceKind = 2;
+
+  const SampleSums& GetSums(std::size_t triangle, int kind) const
+  {
+    const TriangleSamples& samples = this->Samples[triangle];
+    return kind == PlaceKind ? samples.Places : samples.Sides[kind];
+  }
+
   void JoinCorners();
-  void SolveSide(int side, const std::function<void(double)>& proceed);
-  void Apply(int side, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;
+  void SolveKind(int kind, const std::function<void(double)>& proceed);
+  void Apply(int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;
+  std::vector<std::uint8_t> FindMaps() const;
   std::vector<std::uint64_t> ChooseEdges() const;
   void LimitEdges(std::vector<std::uint64_t>& edges) const;
   double FindError(std::size_t triangle, int side) const;
+  double FindPlaceError(std::size_t triangle) const;
   bool HasDetail(std::size_t triangle, double tolerances) const;
   float FindLength(std::size_t triangle, int edge) const;
   std::array<std::vector<char>, 2> FindExact() const;
@@ -183,11 +204,11 @@ private:
 
   ColorFitSettings Settings;
   SurfaceMesh& Surface;
-  std::vector<TriangleSamples> Samples;         // of the triangles
-  std::vector<char> AreNew;                     // whether they have no samples yet
-  std::vector<glm::uvec3> Values;               // of the corners of each triangle
-  std::vector<unsigned int> Places;             // the point of each value
-  std::array<std::vector<glm::vec3>, 2> Colors; // of the values
+  std::vector<TriangleSamples> Samples;             // of the triangles
+  std::vector<char> AreNew;                         // whether they have no samples yet
+  std::vector<glm::uvec3> Values;                   // of the corners of each triangle
+  std::vector<unsigned int> Places;                 // the point of each value
+  std::array<std::vector<glm::vec3>, Kinds> Colors; // of the values
 };
 }
 

@@ -5,6 +5,7 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfChannel.h"
+#include "cslfColor.h"
 
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -23,6 +24,9 @@ namespace cslf
 {
 namespace
 {
+/// Light is that of a colour divided by the base colour, which is at least that.
+constexpr double MinimumBase = 0.02;
+
 /// The most steps of triangles over which a colour is passed on.
 constexpr int MaximumSteps = 64;
 
@@ -31,9 +35,11 @@ bool IsColored(const glm::vec4& color)
   return color.w > 0.0f && std::isfinite(color.x + color.y + color.z + color.w);
 }
 
-/// Of each point the first one at its place: creases have several.
-std::vector<unsigned int> FindPlaces(const SurfaceMesh& mesh)
+/// Of each point the first one at its place, with the same map: creases have several.
+std::vector<unsigned int> FindPlaces(const SurfaceMesh& mesh, const MappedPoints& mapped)
 {
+  const auto mapOf = [&mapped](unsigned int point)
+  { return mapped.IsEmpty() ? 0 : int(mapped.Numbers[point]); };
   std::vector<unsigned int> order(mesh.Points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
@@ -41,21 +47,23 @@ std::vector<unsigned int> FindPlaces(const SurfaceMesh& mesh)
     {
       const glm::vec3& one = mesh.Points[a];
       const glm::vec3& other = mesh.Points[b];
-      return std::tie(one.x, one.y, one.z, a) < std::tie(other.x, other.y, other.z, b);
+      return std::make_tuple(one.x, one.y, one.z, mapOf(a), a) <
+        std::make_tuple(other.x, other.y, other.z, mapOf(b), b);
     });
   std::vector<unsigned int> places(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    const bool isSame = i > 0 && mesh.Points[order[i]] == mesh.Points[order[i - 1]];
+    const bool isSame = i > 0 && mesh.Points[order[i]] == mesh.Points[order[i - 1]] &&
+      mapOf(order[i]) == mapOf(order[i - 1]);
     places[order[i]] = isSame ? places[order[i - 1]] : order[i];
   }
   return places;
 }
 
 /// Points without colour take the mean of those next to them, or at the same place, step by step.
-void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
+void PassOn(const SurfaceMesh& mesh, const MappedPoints& mapped, std::vector<glm::vec4>& colors)
 {
-  const std::vector<unsigned int> places = FindPlaces(mesh);
+  const std::vector<unsigned int> places = FindPlaces(mesh, mapped);
   std::vector<glm::vec4> sums;
   for (int step = 0; step < MaximumSteps; ++step)
   {
@@ -105,6 +113,43 @@ vtkSmartPointer<vtkDataArray> MakeColors(
 }
 }
 
+glm::vec4 SideColors::ToLight(std::size_t point, const glm::vec4& color) const
+{
+  if (!this->Mapped.Has(point))
+  {
+    return color;
+  }
+  const glm::dvec3 base(this->Mapped.GetMap(point).GetColor(this->Mapped.GetPlace(point)));
+  const glm::dvec3 shown = SRGBToLinear(glm::dvec3(color));
+  glm::vec4 light(color);
+  for (int c = 0; c < 3; ++c)
+  {
+    light[c] = static_cast<float>(EncodeLight(shown[c] / std::max(base[c], MinimumBase)));
+  }
+  return light;
+}
+
+glm::vec4 SideColors::ToColor(std::size_t point, const glm::vec4& light) const
+{
+  return this->Mapped.Has(point)
+    ? glm::vec4(
+        ShowLight(glm::dvec3(light), this->Mapped.GetMap(point), this->Mapped.GetPlace(point)),
+        light.w)
+    : light;
+}
+
+void SideColors::DropMaps()
+{
+  for (std::vector<glm::vec4>& side : this->Sides)
+  {
+    for (std::size_t point = 0; point < side.size(); ++point)
+    {
+      side[point] = this->ToColor(point, side[point]);
+    }
+  }
+  this->Mapped = {};
+}
+
 void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPolyData* geometry)
 {
   bool isColored[2];
@@ -117,7 +162,7 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
       color = IsColored(color) ? color / color.w : glm::vec4(0.0f);
       isColored[side] = isColored[side] || color.w > 0.0f;
     }
-    PassOn(mesh, colors.Sides[side]);
+    PassOn(mesh, colors.Mapped, colors.Sides[side]);
   }
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
@@ -132,6 +177,13 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
       back = front;
     }
   }
+  for (std::size_t side = 0; side < colors.Sides.size() && !colors.Mapped.IsEmpty(); ++side)
+  {
+    const std::vector<glm::vec4>& lights = colors.Sides[side];
+    colors.Mapped.Light[side].assign(lights.begin(), lights.end());
+  }
+  AddMappedPoints(colors.Mapped, geometry);
+  colors.DropMaps();
   geometry->GetPointData()->SetScalars(MakeColors(ColorName, fronts, type));
   if (isColored[1])
   {

@@ -34,6 +34,7 @@ struct InstanceGroup
   {
     glm::mat3 Linear{ 1.0f }; ///< with the offset: from the prototype to the mesh
     glm::vec3 Offset{ 0.0f };
+    std::uint32_t Source = 0; ///< the number of the scene's mesh to which the body belongs
   };
 
   SurfaceMesh Prototype;

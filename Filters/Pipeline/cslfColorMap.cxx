@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -31,12 +30,18 @@ namespace cslf
 {
 namespace
 {
-/// The largest number of steps of a map. Those of continuous colours have it.
-constexpr int MaximumSteps = 4096;
+/// The largest number of steps of a map: those of VTK's textures of continuous colours.
+constexpr int MaximumSteps = 8190;
+
+/// The steps of a map of continuous colours.
+constexpr int ContinuousSteps = 4096;
 
 /// The distance of values in the range from its ends, in steps, so that floats never round them to
 /// values outside.
 constexpr double Inset = 1e-3;
+
+/// Changes of colours count over one of so many parts of the range.
+constexpr int SteepnessWindows = 128;
 
 /// Far outside of the range, a place must remain a number that floats can interpolate.
 constexpr double MaximumColumn = 1e6;
@@ -167,6 +172,25 @@ double ColorMap::GetValue(const glm::vec2& place) const
   return this->IsLogarithmic ? std::pow(10.0, value) : value;
 }
 
+double ColorMap::GetSteepness() const
+{
+  const int window = std::max(1, this->GetSteps() / SteepnessWindows);
+  double most = 0.0;
+  for (int i = 1; i + window <= this->GetSteps(); ++i)
+  {
+    double sum = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double change = (this->Colors[i + window][c] - this->Colors[i][c]) / 255.0;
+      sum += change * change / 3.0;
+    }
+    most = std::max(most, sum);
+  }
+  // The steps of few colours are edges, whose place counts, not their height.
+  const double columns = std::max(double(window), double(this->GetSteps()) / SteepnessWindows);
+  return std::sqrt(most) / columns;
+}
+
 glm::vec3 ColorMap::GetColor(const glm::vec2& place) const
 {
   const float last = static_cast<float>(this->Colors.size() - 1);
@@ -185,7 +209,8 @@ ColorMap MakeColorMap(vtkScalarsToColors* table)
     return map;
   }
   const vtkIdType count = table->GetNumberOfAvailableColors();
-  const int steps = count > 0 && count <= MaximumSteps ? static_cast<int>(count) : MaximumSteps;
+  const int steps =
+    count > 0 && count <= ContinuousSteps ? static_cast<int>(count) : ContinuousSteps;
   vtkNew<vtkDoubleArray> values;
   for (int i = 0; i < steps + 2; ++i)
   {
@@ -204,6 +229,20 @@ ColorMap MakeColorMap(vtkScalarsToColors* table)
   }
   map.NanColor = ToPixel(mapped->GetPointer(4 * (vtkIdType(steps) + 2)));
   return map;
+}
+
+std::string NameComponent(vtkDataArray* array, int component)
+{
+  if (array->GetNumberOfComponents() < 2)
+  {
+    return "";
+  }
+  if (component < 0)
+  {
+    return "Magnitude";
+  }
+  const char* name = array->GetComponentName(component);
+  return name ? name : std::to_string(component);
 }
 
 vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
@@ -274,6 +313,19 @@ glm::dvec3 ShowLight(const glm::dvec3& light, const ColorMap& map, const glm::ve
   return LinearToSRGB(SRGBToLinear(light) * glm::dvec3(map.GetColor(place)));
 }
 
+glm::dvec3 ShowPlace(const MappedPoints& points, int side,
+  const std::array<std::size_t, 3>& corners, const glm::dvec3& weights)
+{
+  glm::dvec3 light(0.0);
+  glm::dvec2 place(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    light += weights[k] * glm::dvec3(points.Light[side][corners[k]]);
+    place += weights[k] * glm::dvec2(points.GetPlace(corners[k]));
+  }
+  return ShowLight(light, points.GetMap(corners[0]), place);
+}
+
 void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
 {
   if (points.IsEmpty())
@@ -286,7 +338,8 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName(ColorMapColorsName);
   colors->SetNumberOfComponents(4);
-  std::map<std::string, vtkSmartPointer<vtkFloatArray>> scalars;
+  // Floats would be rounded to values outside of the range.
+  std::map<std::string, vtkSmartPointer<vtkDoubleArray>> scalars;
   for (const ColorMap& map : points.Maps)
   {
     texts->InsertNextValue(DescribeColorMap(map));
@@ -295,13 +348,13 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
       colors->InsertNextTypedTuple(color.data());
     }
     colors->InsertNextTypedTuple(map.NanColor.data());
-    vtkSmartPointer<vtkFloatArray>& array = scalars[map.GetScalarName()];
+    vtkSmartPointer<vtkDoubleArray>& array = scalars[map.GetScalarName()];
     if (!array)
     {
-      array = vtkSmartPointer<vtkFloatArray>::New();
+      array = vtkSmartPointer<vtkDoubleArray>::New();
       array->SetName(map.GetScalarName().c_str());
       array->SetNumberOfTuples(count);
-      array->FillValue(std::numeric_limits<float>::quiet_NaN());
+      array->FillValue(vtkMath::Nan());
       array->SetLookupTable(MakeLookupTable(map));
     }
   }
@@ -314,8 +367,7 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
     numbers->SetValue(i, points.Numbers[point]);
     if (points.Has(point))
     {
-      scalars[points.GetMap(point).GetScalarName()]->SetValue(
-        i, static_cast<float>(points.Scalars[point]));
+      scalars[points.GetMap(point).GetScalarName()]->SetValue(i, points.Scalars[point]);
     }
   }
   geometry->GetFieldData()->AddArray(texts);

@@ -53,6 +53,10 @@ struct VTKCSLF_EXPORT ColorMap
   /// The value at a place.
   double GetValue(const glm::vec2& place) const;
 
+  /// By how much colours change at most, as the root mean square of sRGB-encoded components, for
+  /// each column, over parts of the range that are not too short.
+  double GetSteepness() const;
+
   /// The colour at a place, between colours the nearest, linear.
   glm::vec3 GetColor(const glm::vec2& place) const;
 };
@@ -60,6 +64,10 @@ struct VTKCSLF_EXPORT ColorMap
 /// The map of a lookup table, without names. It has no colours if the table is one of categories or
 /// has no range.
 VTKCSLF_EXPORT ColorMap MakeColorMap(vtkScalarsToColors* table);
+
+/// The name of a component of an array, or of the magnitude if it is negative. Empty for arrays of
+/// one component.
+std::string VTKCSLF_EXPORT NameComponent(vtkDataArray* array, int component);
 
 /// A lookup table that maps like a map.
 vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map);
@@ -95,6 +103,11 @@ struct MappedPoints
 /// The colour of a surface with interpolated light, sRGB-encoded.
 glm::dvec3 VTKCSLF_EXPORT ShowLight(
   const glm::dvec3& light, const ColorMap& map, const glm::vec2& place);
+
+/// The colour at a place of a triangle, sRGB-encoded. The corners are mapped points with one map,
+/// and `weights` the barycentric coordinates.
+glm::dvec3 VTKCSLF_EXPORT ShowPlace(const MappedPoints& points, int side,
+  const std::array<std::size_t, 3>& corners, const glm::dvec3& weights);
 
 ///@{
 /// Gives a geometry the arrays that tell of mapped points, one for each of its points, and reads

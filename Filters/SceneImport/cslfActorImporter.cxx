@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorImporter.h"
 
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfValidPolyData.h"
 #include "SceneData/cslfTextureImage.h"
@@ -37,6 +38,7 @@
 #include <vtkReverseSense.h>
 #include <vtkScalarsToColors.h>
 #include <vtkShaderProperty.h>
+#include <vtkStringArray.h>
 #include <vtkTexture.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
@@ -420,6 +422,10 @@ private:
         block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, false);
       mapped.Coordinates->SetName("TextureCoordinates");
       block->GetPointData()->SetTCoords(mapped.Coordinates);
+      vtkNew<vtkStringArray> map;
+      map->SetName(ColorMapsName);
+      map->InsertNextValue(mapped.Map);
+      block->GetFieldData()->AddArray(map);
     }
     if (mapped.Colors)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "SceneData/cslfTextureImage.h"
 #include "cslfImportedScene.h"
@@ -20,6 +21,9 @@
 #include <vtkPointData.h>
 #include <vtkScalarsToColors.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace cslf
 {
@@ -189,6 +193,24 @@ vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data
 }
 }
 
+namespace
+{
+/// Says what a table of a mapper maps that has that many colours within its range.
+std::string DescribeTable(vtkScalarsToColors* table, vtkDataArray* array, int steps)
+{
+  ColorMap map;
+  map.Array = array->GetName() ? array->GetName() : "";
+  const int components = array->GetNumberOfComponents();
+  const bool isMagnitude = table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+  map.Component =
+    NameComponent(array, isMagnitude && components > 1 ? -1 : table->GetVectorComponent());
+  std::copy_n(table->GetRange(), 2, map.Range);
+  map.IsLogarithmic = table->UsingLogScale() != 0;
+  map.Colors.resize(std::size_t(steps) + 2);
+  return DescribeColorMap(map);
+}
+}
+
 std::optional<std::array<double, 3>> FindColorOfMissing(vtkMapper* mapper, vtkDataSet* data)
 {
   auto* composite = CompositeMapper::SafeDownCast(mapper);
@@ -247,6 +269,12 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, Imp
   vtkUnsignedCharArray* colors = copy->MapScalars(source, 1.0, cellFlag);
   mapped.Table = copy->GetColorTextureMap();
   mapped.Coordinates = copy->GetColorCoordinates();
+  vtkDataArray* scalars = FindScalars(mapper, source);
+  if (mapped.Table && scalars)
+  {
+    mapped.Map =
+      DescribeTable(copy->GetLookupTable(), scalars, mapped.Table->GetDimensions()[0] - 2);
+  }
   if (!colors || colors->GetNumberOfTuples() < 1)
   {
     return mapped;

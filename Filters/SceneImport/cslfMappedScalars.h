@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 class vtkDataSet;
 class vtkFloatArray;
@@ -33,6 +34,7 @@ struct MappedScalars
   bool WantsTable = false; ///< whether the mapper would show the texture
   vtkSmartPointer<vtkImageData> Table;
   vtkSmartPointer<vtkFloatArray> Coordinates;
+  std::string Map; ///< says what the table maps: see DescribeColorMap
 };
 
 /// The colour of NaN, if a mapper of composite data uses it for blocks without its array.

@@ -3,10 +3,12 @@
 #include "cslfGeometryCodec.h"
 
 #include "cslfBodyGroups.h"
+#include "cslfMapCodes.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
+#include "cslfColor.h"
 #include "cslfJSONText.h"
 
 #include <vtkCellArray.h>
@@ -71,6 +73,7 @@ constexpr std::size_t MaximumItems = std::size_t(1) << 25;
 constexpr const char* ByteColors = "srgb6";
 constexpr const char* ExactByteColors = "srgb8";
 constexpr const char* HalfColors = "linear16f";
+constexpr const char* MappedColors = "light8"; ///< as srgb8, but those of mapped points are light
 
 /// What is subtracted from colours, so that they take fewer bytes: from red and blue their green,
 /// and from backs their fronts.
@@ -97,7 +100,9 @@ struct Streams
   std::vector<unsigned char> Flags;      ///< none if no colour is exact
   bool AreHalves = false;
   bool HasFlags = false;
-  BodyGroups Bodies; ///< their points and triangles come after the others
+  BodyGroups Bodies;                     ///< their points and triangles come after the others
+  MapCodes Maps;                         ///< with the points that are not those of bodies
+  std::vector<unsigned char> BodyPlaces; ///< the others, as in MapCodes
 
   int GetColorSteps() const { return this->HasFlags ? ExactSteps : ColorSteps; }
   std::size_t GetColorSize() const { return 4 * GetCodeSize(this->AreHalves); }
@@ -247,6 +252,16 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
   }
   streams.Colors = ListCodes(colors.Front, streams.AreHalves, streams.GetColorSteps());
   streams.BackColors = ListCodes(colors.Back, streams.AreHalves, streams.GetColorSteps());
+  const MappedPoints mapped = FindMappedPoints(triangles);
+  if (!mapped.IsEmpty() && streams.HasFlags && !streams.AreHalves)
+  {
+    streams.Maps = MapCodes(mapped);
+    streams.Maps.PutLight(mapped, 0, streams.Colors);
+    if (!streams.BackColors.empty())
+    {
+      streams.Maps.PutLight(mapped, 1, streams.BackColors);
+    }
+  }
 }
 
 /// Takes the bodies that are one mesh at several places out of the streams. The colours of floats
@@ -263,6 +278,14 @@ void TakeBodies(vtkPolyData* geometry, vtkPolyData* triangles, const Cube& box, 
     geometry, triangles, box, streams.PositionBits, streams.GetColorSteps(), codes);
   streams.Points -= streams.Bodies.CountPoints();
   streams.Positions.resize(PositionSize * streams.Points);
+  if (!streams.Maps.IsEmpty())
+  {
+    std::vector<unsigned char>& places = streams.Maps.Points;
+    const auto first =
+      places.begin() + static_cast<std::ptrdiff_t>(MapCodes::PointSize * streams.Points);
+    streams.BodyPlaces.assign(first, places.end());
+    places.erase(first, places.end());
+  }
   streams.Corners.resize(streams.Corners.size() - 3 * streams.Bodies.CountTriangles());
   for (std::vector<unsigned char>* stream : { &codes.Colors, &codes.BackColors, &codes.Flags })
   {
@@ -279,8 +302,8 @@ void Sort(Streams& streams)
   if (streams.Corners.empty())
   {
     streams.Points = 0;
-    for (std::vector<unsigned char>* stream :
-      { &streams.Positions, &streams.Colors, &streams.BackColors, &streams.Flags })
+    for (std::vector<unsigned char>* stream : { &streams.Positions, &streams.Colors,
+           &streams.BackColors, &streams.Flags, &streams.Maps.Points })
     {
       stream->clear();
     }
@@ -306,6 +329,7 @@ void Sort(Streams& streams)
   move(streams.Colors, streams.GetColorSize());
   move(streams.BackColors, streams.GetColorSize());
   move(streams.Flags, FlagsSize);
+  move(streams.Maps.Points, MapCodes::PointSize);
   streams.Points = used;
 }
 
@@ -389,8 +413,13 @@ JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
   if (FindPointColors(geometry).Front)
   {
     header["colors"] = streams.AreHalves ? HalfColors
+      : !streams.Maps.IsEmpty()          ? MappedColors
       : streams.HasFlags                 ? ExactByteColors
                                          : ByteColors;
+  }
+  if (!streams.Maps.IsEmpty())
+  {
+    streams.Maps.Describe(header);
   }
   if (!streams.Bodies.IsEmpty())
   {
@@ -433,14 +462,20 @@ std::vector<unsigned char> Compress(const std::vector<unsigned char>& bytes)
   return compressed;
 }
 
+/// The coded streams of a part, besides bodies and the colours of maps.
+constexpr std::size_t Parts = 7;
+
 /// The bytes of the part.
 std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
 {
   Sort(streams);
-  std::array<std::vector<unsigned char>, 5> parts = { CodeCorners(streams),
+  std::array<std::vector<unsigned char>, Parts> parts = { CodeCorners(streams),
     CodeVertices(streams.Positions, streams.Points, PositionSize),
     CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors),
-    CodeVertices(streams.Flags, streams.Points, FlagsSize) };
+    CodeVertices(streams.Flags, streams.Points, FlagsSize),
+    CodeVertices(streams.Maps.Points, streams.Points, MapCodes::PointSize),
+    CodeVertices(
+      streams.BodyPlaces, streams.BodyPlaces.size() / MapCodes::PointSize, MapCodes::PointSize) };
   std::vector<unsigned char> differences = CodeColorDifferences(streams);
   JSON subtracted = { Green };
   if (differences.size() < parts[3].size())
@@ -464,6 +499,11 @@ std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
   {
     header["exact_bytes"] = parts[4].size();
   }
+  if (!streams.Maps.IsEmpty())
+  {
+    header["place_bytes"] = parts[5].size();
+    header["body_place_bytes"] = parts[6].size();
+  }
   std::vector<unsigned char> all;
   for (const std::vector<unsigned char>& part : parts)
   {
@@ -471,6 +511,8 @@ std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
   }
   const std::vector<unsigned char> bodies = streams.Bodies.Pack();
   all.insert(all.end(), bodies.begin(), bodies.end());
+  const std::vector<unsigned char> mapColors = streams.Maps.PackColors();
+  all.insert(all.end(), mapColors.begin(), mapColors.end());
   const std::string text = header.dump();
   std::vector<unsigned char> bytes(sizeof(std::uint32_t));
   Store(static_cast<std::uint32_t>(text.size()), bytes.data());
@@ -521,6 +563,34 @@ vtkSmartPointer<vtkDataArray> DecodeColors(
   return colors;
 }
 
+/// Mapped points get their scalars and light, and the colours that these have.
+void AddMaps(const Streams& streams, vtkPolyData* geometry)
+{
+  if (streams.Maps.IsEmpty())
+  {
+    return;
+  }
+  MapCodes codes = streams.Maps;
+  codes.Points.insert(codes.Points.end(), streams.BodyPlaces.begin(), streams.BodyPlaces.end());
+  const MappedPoints mapped = codes.GetPoints(streams.Colors, streams.BackColors);
+  AddMappedPoints(mapped, geometry);
+  const PointColorArrays arrays = FindPointColors(geometry);
+  for (std::size_t i = 0; i < mapped.Numbers.size(); ++i)
+  {
+    for (const int side : { 0, 1 })
+    {
+      vtkDataArray* colors = side == 0 ? arrays.Front : arrays.Back;
+      if (colors && mapped.Has(i))
+      {
+        const glm::dvec3 color =
+          ShowLight(glm::dvec3(mapped.Light[side][i]), mapped.GetMap(i), mapped.GetPlace(i));
+        colors->SetTuple4(
+          static_cast<vtkIdType>(i), ToByte(color.x), ToByte(color.y), ToByte(color.z), 255.0);
+      }
+    }
+  }
+}
+
 vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& header, const Cube& box)
 {
   vtkNew<vtkPoints> points;
@@ -559,6 +629,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
     geometry->GetPointData()->AddArray(
       DecodeColors(BackColorName, streams.BackColors, streams.AreHalves, streams.GetColorSteps()));
   }
+  AddMaps(streams, geometry);
   if (!streams.Flags.empty())
   {
     vtkNew<vtkUnsignedCharArray> exact;
@@ -595,10 +666,12 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const JSON header = ParseJSON(std::string(begin, end));
   const std::size_t points = GetCount(header, "points");
   const std::size_t triangles = GetCount(header, "triangles");
-  const std::array<std::size_t, 5> sizes = { GetCount(header, "corner_bytes"),
+  const auto getSize = [&](const char* key)
+  { return header.contains(key) ? GetCount(header, key) : std::size_t(0); };
+  const std::array<std::size_t, Parts> sizes = { GetCount(header, "corner_bytes"),
     GetCount(header, "position_bytes"), GetCount(header, "color_bytes"),
-    header.contains("back_color_bytes") ? GetCount(header, "back_color_bytes") : 0,
-    header.contains("exact_bytes") ? GetCount(header, "exact_bytes") : 0 };
+    getSize("back_color_bytes"), getSize("exact_bytes"), getSize("place_bytes"),
+    getSize("body_place_bytes") };
   const std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
   const std::size_t rest = bytes.size() - head - textSize;
   // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 64
@@ -619,8 +692,15 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
       header.at("bodies"), streams.PositionBits, MaximumItems, mostGrowth * (rest + 1));
   }
   const std::size_t bodySize = streams.Bodies.GetSize();
+  const bool areMapped = header.value("colors", std::string()) == MappedColors;
+  if (areMapped)
+  {
+    streams.Maps = MapCodes::Read(header);
+  }
+  Require(areMapped || sizes[5] + sizes[6] == 0);
+  const std::size_t mapSize = streams.Maps.GetColorSize();
   Require((points > 0) == (triangles > 0) && (points > 0 || !streams.Bodies.IsEmpty()));
-  Require(size + bodySize <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
+  Require(size + bodySize + mapSize <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
   // The encoder drops points that no triangle uses.
   Require(points <= 3 * triangles);
   const auto canHold = [&](std::size_t stream, std::size_t pointSize)
@@ -636,8 +716,9 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
       Require(-1.0 <= bounds[axis] && bounds[axis] <= bounds[axis + 3] && bounds[axis + 3] <= 1.0);
     }
   }
-  const std::vector<unsigned char> coded =
-    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size + bodySize));
+  const std::vector<unsigned char> coded = Uncompress(
+    bytes.data() + head + textSize, rest, static_cast<uLongf>(size + bodySize + mapSize));
+  streams.Maps.UnpackColors(coded.data() + size + bodySize);
   streams.Bodies.Unpack(coded.data() + size);
   Require(streams.Bodies.IsEmpty() || streams.Bodies.HasColors() == header.contains("colors"));
   streams.Corners.resize(3 * triangles);
@@ -648,23 +729,27 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   Require(std::all_of(streams.Corners.begin(), streams.Corners.end(),
     [&](unsigned int corner) { return corner < streams.Points; }));
   place += sizes[0];
-  const auto decodePoints =
-    [&](std::vector<unsigned char>& stream, std::size_t pointSize, std::size_t count)
+  const auto decodeSome = [&](std::vector<unsigned char>& stream, std::size_t some,
+                            std::size_t pointSize, std::size_t count)
   {
-    Require(canHold(count, pointSize));
-    stream.resize(pointSize * points);
-    Require(points == 0 ||
-      meshopt_decodeVertexBuffer(stream.data(), points, pointSize, place, count) == 0);
+    Require(some * pointSize <= mostPerByte * count);
+    stream.resize(pointSize * some);
+    Require(
+      some == 0 || meshopt_decodeVertexBuffer(stream.data(), some, pointSize, place, count) == 0);
     place += count;
   };
+  const auto decodePoints = [&](std::vector<unsigned char>& stream, std::size_t pointSize,
+                              std::size_t count) { decodeSome(stream, points, pointSize, count); };
   decodePoints(streams.Positions, PositionSize, sizes[1]);
   if (header.contains("colors"))
   {
     const auto kind = header.at("colors").get<std::string>();
     streams.AreHalves = kind == HalfColors;
     streams.HasFlags = sizes[4] > 0 || streams.Bodies.HasExactColors();
+    Require(!areMapped || streams.HasFlags);
     Require(kind ==
       (streams.AreHalves     ? HalfColors
+          : areMapped        ? MappedColors
           : streams.HasFlags ? ExactByteColors
                              : ByteColors));
     Require(streams.Bodies.IsEmpty() ||
@@ -694,6 +779,11 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     if (sizes[4] > 0)
     {
       decodePoints(codes.Flags, FlagsSize, sizes[4]);
+    }
+    if (areMapped)
+    {
+      decodePoints(streams.Maps.Points, MapCodes::PointSize, sizes[5]);
+      decodeSome(streams.BodyPlaces, streams.Bodies.CountPoints(), MapCodes::PointSize, sizes[6]);
     }
     const bool hasBack = sizes[3] > 0 || streams.Bodies.HasBackColors();
     Require(points == 0 || streams.Bodies.IsEmpty() ||

@@ -12,6 +12,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace cslf
@@ -37,6 +39,7 @@ GeometryRays::GeometryRays(vtkPolyData* geometry, const Description& field)
   }
   this->TrianglesCC->SetPoints(points);
   this->Colors = FindPointColors(this->TrianglesCC);
+  this->Mapped = FindMappedPoints(this->TrianglesCC);
   // Threads must find it built.
   this->TrianglesCC->BuildCells();
   this->Locator->SetDataSet(this->TrianglesCC);
@@ -71,6 +74,19 @@ std::optional<GeometryRays::Hit> GeometryRays::Intersect(const RayCoordinates& r
   }
   hit.IsExact = hit.IsExact && hit.Color.w > 0.0;
   hit.Color /= hit.IsExact ? hit.Color.w : 1.0;
+  std::array<std::size_t, 3> points{};
+  bool areMapped = hit.IsExact;
+  for (std::size_t corner = 0; areMapped && corner < points.size(); ++corner)
+  {
+    points[corner] = static_cast<std::size_t>(cell->GetPointId(static_cast<int>(corner)));
+    areMapped = this->Mapped.Has(points[corner]);
+  }
+  if (areMapped)
+  {
+    hit.Color = glm::dvec4(
+      ShowPlace(this->Mapped, isFront ? 0 : 1, points, { weights[0], weights[1], weights[2] }),
+      1.0);
+  }
   return hit;
 }
 }

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "Lookup/cslfLookup.h"
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfDescription.h"
 
@@ -50,6 +51,7 @@ private:
   vtkNew<vtkPolyData> TrianglesCC;
   vtkNew<vtkStaticCellLocator> Locator;
   PointColorArrays Colors; ///< of TrianglesCC
+  MappedPoints Mapped;     ///< likewise
   bool HasAll;
   std::shared_ptr<const SurfaceCells> Cells;
 };

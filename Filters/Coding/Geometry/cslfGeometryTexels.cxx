@@ -54,6 +54,7 @@ void GeometryTexels::TakeColors(vtkPolyData* triangles)
   {
     return;
   }
+  this->Mapped = FindMappedPoints(triangles);
   for (const int side : { 0, 1 })
   {
     vtkDataArray* colors = side == 1 && arrays.Back ? arrays.Back : arrays.Front;
@@ -140,6 +141,12 @@ DrawnTexels::Color GeometryTexels::FindColor(
       return Color(0);
     }
     color += weights[k] / sum * glm::dvec3(own);
+  }
+  const std::array<std::size_t, 3> points{ corners[0], corners[1], corners[2] };
+  const auto isMapped = [this](std::size_t point) { return this->Mapped.Has(point); };
+  if (sum != 0.0 && std::all_of(points.begin(), points.end(), isMapped))
+  {
+    color = 255.0 * ShowPlace(this->Mapped, sum > 0.0 ? 1 : 0, points, weights / sum);
   }
   // Slivers, and rays along a triangle.
   return sum != 0.0 ? Color(glm::clamp(color, 0.0, 255.0) + 0.5, 255) : Color(0);

@@ -11,6 +11,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "Geometry/cslfDepthTile.h"
+#include "Pipeline/cslfColorMap.h"
 #include "cslfLayout.h"
 
 #include <glm/vec4.hpp>
@@ -75,6 +76,7 @@ private:
   Layout Grid;
   DrawnTriangles Triangles;
   std::array<std::vector<DrawnTexels::Color>, 2> Colors; ///< of the points, front and back
+  MappedPoints Mapped;
 };
 }
 

@@ -341,13 +341,18 @@ Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& s
 
 /// The bodies of groups, within bounds, with the colours of their points.
 void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups, const glm::vec3& low,
-  const glm::vec3& high, const SurfaceLightSettings& settings, const StoredLight* light,
+  const glm::vec3& high, SurfaceLightSettings settings, const StoredLight* light,
   const Progress& progress, Geometry& geometry)
 {
   SurfaceMesh bodies;
   for (const InstanceGroup& group : groups)
   {
     Append(group, bodies);
+    for (const InstanceGroup::Placement& placement : group.Placements)
+    {
+      settings.Sources.insert(
+        settings.Sources.end(), group.Prototype.Triangles.size(), placement.Source);
+    }
   }
   for (glm::vec3& point : bodies.Points)
   {
@@ -356,14 +361,22 @@ void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups, con
   SideColors colors = FitLight(scene, light, settings, progress, bodies);
   const std::size_t first = geometry.Surface.Points.size();
   const std::size_t all = first + bodies.Points.size();
+  const auto join = [=](auto& values, const auto& more)
+  {
+    values.resize(first);
+    values.insert(values.end(), more.begin(), more.end());
+    values.resize(all);
+  };
+  MappedPoints& mapped = geometry.Colors.Mapped;
+  if (!mapped.IsEmpty() || !colors.Mapped.IsEmpty())
+  {
+    // Both have the maps of the scene.
+    mapped.Maps = mapped.IsEmpty() ? colors.Mapped.Maps : mapped.Maps;
+    join(mapped.Numbers, colors.Mapped.Numbers);
+    join(mapped.Scalars, colors.Mapped.Scalars);
+  }
   for (const int side : { 0, 1 })
   {
-    const auto join = [=](auto& values, const auto& more)
-    {
-      values.resize(first);
-      values.insert(values.end(), more.begin(), more.end());
-      values.resize(all);
-    };
     join(geometry.Colors.Sides[side], colors.Sides[side]);
     join(geometry.Colors.Exact[side], colors.Exact[side]);
   }

@@ -213,6 +213,7 @@ public:
 
   void AddSpheres(const Mesh& mesh)
   {
+    this->Source = this->FindNumber(mesh);
     for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
     {
       this->AddBall({ mesh.Vertices[shape], mesh.Radii[shape] });
@@ -221,6 +222,7 @@ public:
 
   void AddTubes(const Mesh& mesh)
   {
+    this->Source = this->FindNumber(mesh);
     for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
     {
       const std::size_t first = 2 * std::size_t(shape);
@@ -250,6 +252,7 @@ public:
     {
       return false;
     }
+    this->Source = this->FindNumber(mesh);
     for (const InstanceGroup::Placement& placement : all.Placements)
     {
       this->Add(placement, group);
@@ -298,7 +301,13 @@ private:
     if (!points.empty())
     {
       group.Placements.push_back(placement);
+      group.Placements.back().Source = this->Source;
     }
+  }
+
+  std::uint32_t FindNumber(const Mesh& mesh) const
+  {
+    return static_cast<std::uint32_t>(&mesh - this->World.GetMeshes().data());
   }
 
   void AddBall(const Ball& ball)
@@ -387,6 +396,7 @@ private:
   int FirstKind;
   const Progress& GoOn;
   std::size_t Bodies = 0;
+  std::uint32_t Source = 0; // of the bodies that are added
   std::array<InstanceGroup, BallKinds.size()> Balls;
   std::array<float, BallKinds.size()> Excess{};
   std::vector<InstanceGroup> Sticks;

@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace cslf
 {
@@ -41,6 +44,12 @@ constexpr float HiddenWeight = 1e-3f;
 
 /// The largest tolerance of colours whose light is rough.
 constexpr double DetailTolerance = 1.0 / 128.0;
+
+/// The largest error of places on maps, as a share of the range.
+constexpr double MaximumPlaceError = 0.005;
+
+/// More maps tell no colours: files number them by a byte.
+constexpr std::size_t MaximumMaps = 254;
 
 /// How often triangles are divided, and the shortest edge that is divided, in texels.
 constexpr int MaximumRounds = 12;
@@ -128,21 +137,46 @@ bool IsSeen(const Scene& scene, const Ray& aim)
   return false;
 }
 
-/// Samples triangles of a surface.
-class LightSampler
+/// The maps that tell the colours of a scene's meshes, each once.
+struct SceneMaps
 {
-public:
-  LightSampler(const Scene& scene, const StoredLight* light, const SurfaceLightSettings& settings)
-    : World(scene)
-    , Stored(light)
-    , Settings(settings)
+  std::vector<ColorMap> Maps;
+  std::vector<std::uint8_t> Numbers; ///< of each mesh, from 1, or 0
+  std::vector<float> Tolerances;     ///< of places on each map, in columns
+};
+
+SceneMaps FindMaps(const Scene& scene)
+{
+  SceneMaps result;
+  std::map<std::pair<std::string, std::vector<ColorMap::Pixel>>, std::uint8_t> known;
+  for (const Mesh& mesh : scene.GetMeshes())
   {
+    const ColorMap* map = mesh.FindMap();
+    result.Numbers.push_back(0);
+    if (!map)
+    {
+      continue;
+    }
+    std::vector<ColorMap::Pixel> colors = map->Colors;
+    colors.push_back(map->NanColor);
+    const auto [found, isNew] = known.emplace(std::make_pair(DescribeColorMap(*map), colors), 0);
+    if (isNew && result.Maps.size() < MaximumMaps)
+    {
+      result.Maps.push_back(*map);
+      found->second = static_cast<std::uint8_t>(result.Maps.size());
+      const double steepness = std::max(map->GetSteepness(), 1e-9);
+      result.Tolerances.push_back(static_cast<float>(
+        std::min(DetailTolerance / steepness, MaximumPlaceError * map->GetSteps())));
+    }
+    result.Numbers.back() = found->second;
   }
+  return result;
+}
 
-  TriangleSamples Sample(const SurfaceMesh& mesh, const glm::uvec3& corners) const;
-
-private:
-  /// What is known of the light of a surface.
+/// What is known of a place of a surface.
+struct SampledPoint
+{
+  /// What is known of its light.
   enum class Light
   {
     Known,
@@ -150,22 +184,53 @@ private:
     Unknown
   };
 
-  Light FindColor(const Aim& aim, glm::vec3& color, glm::vec3& detail, double& brightness) const;
+  Light Is = Light::Missing;
+  glm::vec3 Color{ 0.0f };  ///< or the light, if a map tells its colours
+  glm::vec3 Detail{ 0.0f }; ///< its colour under white light, for comparison with that around it
+  double Brightness = 1.0;  ///< how much brighter the surface is than the colour
+  glm::vec3 Place{ 0.0f };  ///< on the map
+};
+
+/// Samples triangles of a surface.
+class LightSampler
+{
+public:
+  LightSampler(const Scene& scene, const StoredLight* light, const SurfaceLightSettings& settings,
+    const SceneMaps& maps)
+    : World(scene)
+    , Stored(light)
+    , Settings(settings)
+    , Maps(maps)
+  {
+  }
+
+  /// The triangle belongs to `source`, a mesh, or what it meets tells.
+  TriangleSamples Sample(
+    const SurfaceMesh& mesh, const glm::uvec3& corners, const std::uint32_t* source) const;
+
+private:
+  bool FindRadiance(
+    const Aim& aim, glm::vec3& radiance, glm::vec3& white, SampledPoint& point) const;
+  glm::vec3 FindLight(const Aim& aim) const;
+  SampledPoint FindPoint(const Aim& aim) const;
   glm::vec3 Encode(const glm::vec3& radiance) const;
+  std::uint8_t FindMap(std::uint32_t mesh) const
+  {
+    return mesh < this->Maps.Numbers.size() ? this->Maps.Numbers[mesh] : std::uint8_t(0);
+  }
 
   const Scene& World;
   const StoredLight* Stored;
-  SurfaceLightSettings Settings;
+  const SurfaceLightSettings& Settings;
+  const SceneMaps& Maps;
 };
 
-// A colour, what it is under white light, for comparison with that around it, and how much brighter
-// the surface is.
-LightSampler::Light LightSampler::FindColor(
-  const Aim& aim, glm::vec3& color, glm::vec3& detail, double& brightness) const
+// The radiance, and what it is under white light. False if it is not known.
+bool LightSampler::FindRadiance(
+  const Aim& aim, glm::vec3& radiance, glm::vec3& white, SampledPoint& point) const
 {
   const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
-  glm::vec3 radiance;
-  glm::vec3 white(0.0f);
+  white = glm::vec3(0.0f);
   if (OnlyEmits(mesh))
   {
     radiance = mesh.GetEmission(aim.Target.GetPlace());
@@ -176,7 +241,8 @@ LightSampler::Light LightSampler::FindColor(
   {
     if (!this->Stored->Covers(aim.Target))
     {
-      return Light::Missing;
+      point.Is = SampledPoint::Light::Missing;
+      return false;
     }
     const glm::vec3 emission = mesh.GetEmission(aim.Target.GetPlace());
     white = this->World.GetBaseColor(aim.Target);
@@ -185,17 +251,68 @@ LightSampler::Light LightSampler::FindColor(
   else if (!this->Stored || !this->Stored->LookUpShape(aim.Path, aim.Target, radiance))
   {
     // Rough surfaces look different from elsewhere, even if their light is stored.
-    return this->Stored && this->Stored->IsComplete() && mesh.IsDiffuse() ? Light::Missing
-                                                                          : Light::Unknown;
+    point.Is = this->Stored && this->Stored->IsComplete() && mesh.IsDiffuse()
+      ? SampledPoint::Light::Missing
+      : SampledPoint::Light::Unknown;
+    return false;
   }
-  color = this->Encode(radiance);
-  const glm::dvec3 exposed = static_cast<double>(this->Settings.Exposure) * glm::dvec3(radiance);
-  const glm::dvec3 shown = glm::min(exposed, glm::dvec3(1.0));
-  brightness = this->Settings.ClampsColors && std::max({ exposed.x, exposed.y, exposed.z }) > 1.0
-    ? (exposed.x + exposed.y + exposed.z) / (shown.x + shown.y + shown.z)
-    : 1.0;
-  detail = glm::vec3(LinearToSRGB(glm::dvec3(white)));
-  return std::isfinite(color.x + color.y + color.z) ? Light::Known : Light::Unknown;
+  point.Is = SampledPoint::Light::Known;
+  return true;
+}
+
+// The radiance of a surface whose radiance is known, if its map gave white.
+glm::vec3 LightSampler::FindLight(const Aim& aim) const
+{
+  const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
+  glm::vec3 light(1.0f);
+  if (!OnlyEmits(mesh) && mesh.CanHoldLattice())
+  {
+    light = this->Stored->Get(aim.Target);
+  }
+  else if (!OnlyEmits(mesh))
+  {
+    this->Stored->GetShape(aim.Target, this->World.GetSurface(aim.Path, aim.Target), light);
+  }
+  return mesh.Material.BaseColor * light;
+}
+
+SampledPoint LightSampler::FindPoint(const Aim& aim) const
+{
+  SampledPoint point;
+  // What is not met may be missing from the scene, or hidden.
+  glm::vec3 radiance;
+  glm::vec3 white;
+  if (!aim.IsMet || !this->FindRadiance(aim, radiance, white, point))
+  {
+    return point;
+  }
+  if (this->FindMap(aim.Target.Mesh) > 0)
+  {
+    const glm::dvec3 light(this->FindLight(aim));
+    for (int c = 0; c < 3; ++c)
+    {
+      point.Color[c] = static_cast<float>(EncodeLight(this->Settings.Exposure * light[c]));
+    }
+    const glm::dvec3 base(this->World.GetBaseColor(aim.Target));
+    point.Detail = glm::vec3(LinearToSRGB(base));
+    point.Place =
+      glm::vec3(this->World.GetMeshes()[aim.Target.Mesh].GetMapPlace(aim.Target.GetPlace()), 0.0f);
+  }
+  else
+  {
+    point.Color = this->Encode(radiance);
+    const glm::dvec3 exposed = this->Settings.Exposure * glm::dvec3(radiance);
+    const glm::dvec3 shown = glm::min(exposed, glm::dvec3(1.0));
+    point.Brightness =
+      this->Settings.ClampsColors && std::max({ exposed.x, exposed.y, exposed.z }) > 1.0
+      ? (exposed.x + exposed.y + exposed.z) / (shown.x + shown.y + shown.z)
+      : 1.0;
+    point.Detail = glm::vec3(LinearToSRGB(glm::dvec3(white)));
+  }
+  point.Is = std::isfinite(point.Color.x + point.Color.y + point.Color.z)
+    ? SampledPoint::Light::Known
+    : SampledPoint::Light::Unknown;
+  return point;
 }
 
 glm::vec3 LightSampler::Encode(const glm::vec3& radiance) const
@@ -211,7 +328,8 @@ glm::vec3 LightSampler::Encode(const glm::vec3& radiance) const
   return color;
 }
 
-TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& corners) const
+TriangleSamples LightSampler::Sample(
+  const SurfaceMesh& mesh, const glm::uvec3& corners, const std::uint32_t* source) const
 {
   TriangleSamples samples;
   const glm::vec3& a = mesh.Points[corners.x];
@@ -227,9 +345,9 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
   samples.Area = 0.5f * length / (this->Settings.Texel * this->Settings.Texel);
   const int count = static_cast<int>(std::clamp(std::ceil(samples.Area / SampleArea),
     static_cast<float>(MinimumSamples), static_cast<float>(MaximumSamples)));
+  std::vector<glm::vec3> places;
+  std::vector<std::array<Aim, 2>> aims;
   int votes = 0;
-  SampleSums details[2];
-  double brightness[2] = {};
   for (int i = 0; i < count; ++i)
   {
     auto u = static_cast<float>(RobertsNumber(i, 0));
@@ -241,29 +359,11 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
     }
     const glm::vec3 place(1.0f - u - v, u, v);
     const float furthest = StartTexels * this->Settings.Texel;
-    const auto aims = AimAtSides(this->World, place.x * a + place.y * b + place.z * c,
-      samples.Normal, this->Settings.KeepsMesh ? NearShare * furthest : furthest, furthest);
-    for (const int side : { 0, 1 })
+    places.push_back(place);
+    aims.push_back(AimAtSides(this->World, place.x * a + place.y * b + place.z * c, samples.Normal,
+      this->Settings.KeepsMesh ? NearShare * furthest : furthest, furthest));
+    for (const Aim& aim : aims.back())
     {
-      const Aim& aim = aims[side];
-      glm::vec3 color;
-      glm::vec3 detail;
-      double brighter = 1.0;
-      // What is not met may be missing from the scene, or hidden.
-      const Light light =
-        aim.IsMet ? this->FindColor(aim, color, detail, brighter) : Light::Missing;
-      if (light == Light::Known)
-      {
-        const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
-        const float area = weight * samples.Area / static_cast<float>(count);
-        samples.Sides[side].Add(place, color, area);
-        details[side].Add(place, detail, area);
-        brightness[side] += area * brighter;
-      }
-      else if (light == Light::Unknown && samples.AreComplete[side])
-      {
-        samples.AreComplete[side] = !IsSeen(this->World, aim.Path);
-      }
       if (aim.IsMet)
       {
         samples.Body = votes == 0 ? aim.Target.Mesh : samples.Body;
@@ -272,6 +372,42 @@ TriangleSamples LightSampler::Sample(const SurfaceMesh& mesh, const glm::uvec3& 
       }
     }
   }
+  samples.Map = this->FindMap(source ? *source : samples.Body);
+  samples.PlaceTolerance = samples.Map > 0 ? this->Maps.Tolerances[samples.Map - 1] : 0.0f;
+  SampleSums details[2];
+  double brightness[2] = {};
+  float baseSquare = 0.0f;
+  for (int i = 0; i < count; ++i)
+  {
+    for (const int side : { 0, 1 })
+    {
+      const Aim& aim = aims[i][side];
+      SampledPoint point = this->FindPoint(aim);
+      // Light and colours do not mix.
+      if (aim.IsMet && this->FindMap(aim.Target.Mesh) != samples.Map)
+      {
+        point.Is = SampledPoint::Light::Missing;
+      }
+      if (point.Is == SampledPoint::Light::Known)
+      {
+        const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
+        const float area = weight * samples.Area / static_cast<float>(count);
+        samples.Sides[side].Add(places[i], point.Color, area);
+        samples.Places.Add(places[i], point.Place, area);
+        samples.MaximumLight =
+          std::max({ samples.MaximumLight, point.Color.x, point.Color.y, point.Color.z });
+        details[side].Add(places[i], samples.Map > 0 ? glm::vec3(0.0f) : point.Detail, area);
+        baseSquare += area * glm::dot(point.Detail, point.Detail) / 3.0f;
+        brightness[side] += area * point.Brightness;
+      }
+      else if (point.Is == SampledPoint::Light::Unknown && samples.AreComplete[side])
+      {
+        samples.AreComplete[side] = !IsSeen(this->World, aim.Path);
+      }
+    }
+  }
+  samples.BaseSquare =
+    samples.Map > 0 && samples.Places.Weight > 0.0f ? baseSquare / samples.Places.Weight : 1.0f;
   for (const int side : { 0, 1 })
   {
     samples.Detail = std::max(samples.Detail, details[side].GetLeastError());
@@ -291,7 +427,12 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   {
     return {};
   }
-  const LightSampler sampler(scene, light, settings);
+  SceneMaps maps;
+  if (settings.ClampsColors)
+  {
+    maps = FindMaps(scene);
+  }
+  const LightSampler sampler(scene, light, settings, maps);
   ColorFit fit(mesh,
     { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
       settings.KeepsMesh, settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
@@ -304,7 +445,11 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          fit.SetSamples(triangles[i], sampler.Sample(mesh, mesh.Triangles[triangles[i]]));
+          const std::size_t triangle = triangles[i];
+          const bool hasSource = triangle < settings.Sources.size();
+          fit.SetSamples(triangle,
+            sampler.Sample(
+              mesh, mesh.Triangles[triangle], hasSource ? &settings.Sources[triangle] : nullptr));
         }
       });
     fit.Solve(OrAbort(part));
@@ -316,7 +461,18 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
     done = 0.5 * (1.0 + done);
     sample(Within(progress, done, 0.5 * (1.0 + done)));
   }
-  return fit.Finish();
+  std::vector<glm::vec2> places;
+  SideColors colors = fit.Finish(places);
+  if (!places.empty())
+  {
+    colors.Mapped.Maps = std::move(maps.Maps);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      colors.Mapped.Scalars.push_back(
+        colors.Mapped.Has(i) ? colors.Mapped.GetMap(i).GetValue(places[i]) : 0.0);
+    }
+  }
+  return colors;
 }
 
 void FindSides(const Scene& scene, float texel, const SurfaceMesh& mesh, const Progress& progress,

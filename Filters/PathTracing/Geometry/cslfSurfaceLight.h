@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace cslf
@@ -43,13 +44,15 @@ struct SurfaceLightSettings
   bool KeepsMesh = false;   ///< whether its triangles and points stay as they are
   double Tolerance = 0.0;   ///< the RMS error of a triangle's colours that is small enough
   std::size_t MaximumTriangles = 0;
+  std::vector<std::uint32_t> Sources; ///< of kept triangles, the mesh to which each belongs
 };
 
 /// Fits colours to what samples of the surface show, see ColorFit, and divides its triangles along
 /// the edges of shadows and of colours, down to texels. Samples that cannot be seen, such as those
 /// below another body, hardly count. Points that no sample with stored light is near get no colour.
 /// Colours are sRGB-encoded. The light may be null: then only surfaces without lighting have
-/// colours, and there are none at all without such. The mesh must be welded. Throws Aborted.
+/// colours, and there are none at all without such. If colours are clamped, surfaces whose colours
+/// a map tells have light, and places on it. The mesh must be welded. Throws Aborted.
 SideColors FitLight(const Scene& scene, const StoredLight* light,
   const SurfaceLightSettings& settings, const Progress& progress, SurfaceMesh& mesh);
 

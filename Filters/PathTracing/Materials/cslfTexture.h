@@ -58,6 +58,8 @@ public:
   /// Linear red, green, blue and alpha in [0,1].
   glm::vec4 Get(const glm::vec2& coordinates) const;
 
+  int GetWidth() const { return this->Image.Width; }
+
   /// Whether any alpha is below 1.
   bool IsTranslucent() const { return this->Translucent; }
 

@@ -5,7 +5,9 @@
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
 #include "PathTracing/Shapes/cslfTube.h"
+#include "Pipeline/cslfColorMap.h"
 #include "RandomNumbers/cslfSampleStream.h"
+#include "cslfColor.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
@@ -25,6 +27,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <exception>
+#include <memory>
+#include <string>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -142,6 +147,34 @@ void DropCovered(Mesh& mesh)
   }
 }
 
+/// The map that a texture shows. Null if it does not fit.
+std::shared_ptr<const ColorMap> FindMap(const std::string& text, const Texture& texture)
+try
+{
+  auto map = std::make_shared<ColorMap>(ReadColorMap(text));
+  const int columns = texture.GetWidth();
+  if (static_cast<std::size_t>(columns) != map->Colors.size())
+  {
+    return nullptr;
+  }
+  const auto get = [&](float column, float row)
+  {
+    const glm::vec4 color = texture.Get({ (column + 0.5f) / static_cast<float>(columns), row });
+    const auto encode = [](float value) { return ToByte(LinearToSRGB(double(value))); };
+    return ColorMap::Pixel{ encode(color.x), encode(color.y), encode(color.z), ToByte(color.w) };
+  };
+  for (int i = 0; i < columns; ++i)
+  {
+    map->Colors[i] = get(static_cast<float>(i), 0.25f);
+  }
+  map->NanColor = get(0.0f, 0.75f);
+  return map;
+}
+catch (const std::exception&)
+{
+  return nullptr;
+}
+
 /// Makes the mesh of one block.
 class MeshMaker
 {
@@ -176,10 +209,14 @@ public:
     }
     this->Result.Textures = this->Source.Textures;
     this->Result.Appearance = this->Source.Appearance;
+    this->Result.Map = this->Source.Map.empty() || !this->Result.Textures.BaseColor
+      ? nullptr
+      : FindMap(this->Source.Map, *this->Result.Textures.BaseColor);
     if (this->Table.Colors)
     {
       this->Result.Material.BaseColor = glm::vec3(1.0f);
       this->Result.Textures.BaseColor = this->Table.Colors;
+      this->Result.Map = this->Table.Map;
       this->Result.Appearance += this->Table.Name;
     }
     DropCovered(this->Result);
@@ -288,7 +325,7 @@ private:
       return;
     }
     const bool ofCells = this->Source.ScalarsOfCells;
-    if (this->Source.Material.Unlit && !ofCells && !this->Source.HasTextures())
+    if (!ofCells && !this->Source.HasTextures())
     {
       this->Table = colors.FindPlaces(this->Source.Scalars);
       if (this->Table.Colors)

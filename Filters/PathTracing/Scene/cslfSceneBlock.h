@@ -78,7 +78,8 @@ struct SceneBlock
   bool HasFinishedColors = false;   ///< likewise
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  std::string Appearance; ///< identifies the material and the textures
+  std::string Map; ///< what the texture of base colours maps, see ReadColorMap, or nothing
+  std::string Appearance; ///< identifies the material, the textures and the map
   std::vector<BlockInstance> Instances;
 
   bool HasTextures() const;

@@ -4,6 +4,7 @@
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfValidPolyData.h"
 #include "SceneData/cslfMaterialProblems.h"
@@ -26,6 +27,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -446,6 +448,12 @@ private:
     block.Textures = this->Textures.Read(holder);
     Fingerprint appearance;
     appearance.Add(holder->GetFieldData(), this->Hashes);
+    auto* map = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(ColorMapsName));
+    if (map && map->GetNumberOfValues() == 1)
+    {
+      block.Map = map->GetValue(0);
+      appearance.Add(std::vector<char>(block.Map.begin(), block.Map.end()));
+    }
     block.Appearance = appearance.Finish();
   }
 

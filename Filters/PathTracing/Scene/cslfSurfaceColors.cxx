@@ -30,13 +30,6 @@ namespace cslf
 {
 namespace
 {
-// The largest number of steps of a table as a texture. Tables of continuous colours have it.
-constexpr int MaximumSteps = 4096;
-
-// The distance of values in the range from its ends, as a fraction of the texture, so that floats
-// never round them to values outside.
-constexpr double Inset = 1e-6;
-
 std::array<float, 256> MakeLinearTable()
 {
   std::array<float, 256> table{};
@@ -45,6 +38,36 @@ std::array<float, 256> MakeLinearTable()
     table[i] = static_cast<float>(SRGBToLinear(i / 255.0));
   }
   return table;
+}
+
+/// A map as a texture. The second row is the colour of NaN.
+std::shared_ptr<const Texture> MakeTexture(const ColorMap& map)
+{
+  TextureImage image;
+  image.Width = static_cast<int>(map.Colors.size());
+  image.Height = 2;
+  image.Wraps[0] = TextureWrap::Edge;
+  image.Wraps[1] = TextureWrap::Edge;
+  image.Interpolate = false;
+  for (const ColorMap::Pixel& color : map.Colors)
+  {
+    image.Pixels.insert(image.Pixels.end(), color.begin(), color.end());
+  }
+  for (int i = 0; i < image.Width; ++i)
+  {
+    image.Pixels.insert(image.Pixels.end(), map.NanColor.begin(), map.NanColor.end());
+  }
+  return std::make_shared<const Texture>(std::move(image), TextureKind::Colors);
+}
+
+std::string Identify(const ColorMap& map)
+{
+  const std::string text = DescribeColorMap(map);
+  Fingerprint name;
+  name.Add(std::vector<char>(text.begin(), text.end()));
+  name.Add(map.Colors);
+  name.Add(std::vector<ColorMap::Pixel>{ map.NanColor });
+  return name.Finish();
 }
 }
 
@@ -132,74 +155,6 @@ MappedColors SurfaceColors::Map(vtkDataArray* array)
   return result;
 }
 
-double SurfaceColors::Scale::GetPosition(double value) const
-{
-  const auto convert = [this](double number)
-  { return this->IsLogarithmic ? std::log10(std::max(number, VTK_DBL_MIN)) : number; };
-  const double first = convert(this->Range[0]);
-  return (convert(value) - first) / (convert(this->Range[1]) - first);
-}
-
-glm::vec2 SurfaceColors::Scale::GetPlace(double value) const
-{
-  if (std::isnan(value))
-  {
-    return { 0.0f, 0.75f };
-  }
-  double column = 1.0 + this->Steps * this->GetPosition(value);
-  if (value >= this->Range[0] && value <= this->Range[1])
-  {
-    const double inset = Inset * (this->Steps + 2);
-    column = std::clamp(column, 1.0 + inset, 1.0 + this->Steps - inset);
-  }
-  // Far outside, it must remain a number that floats can interpolate.
-  const double place = std::clamp(column / (this->Steps + 2), -1e6, 1e6);
-  return { static_cast<float>(place), 0.25f };
-}
-
-SurfaceColors::Scale SurfaceColors::MakeScale(vtkScalarsToColors* table)
-{
-  Scale scale;
-  std::copy_n(table->GetRange(), 2, scale.Range);
-  scale.IsLogarithmic = table->UsingLogScale() != 0;
-  const bool isValid = scale.Range[0] < scale.Range[1] &&
-    std::isfinite(scale.Range[1] - scale.Range[0]) &&
-    !(scale.IsLogarithmic && scale.Range[0] <= 0.0);
-  if (!isValid)
-  {
-    return scale;
-  }
-  const vtkIdType colors = table->GetNumberOfAvailableColors();
-  scale.Steps = colors > 0 && colors <= MaximumSteps ? static_cast<int>(colors) : MaximumSteps;
-  const int columns = scale.Steps + 2;
-  vtkNew<vtkDoubleArray> values;
-  values->SetNumberOfTuples(2 * columns);
-  for (int i = 0; i < columns; ++i)
-  {
-    double part = (i - 0.5) / scale.Steps;
-    part = i == 0 ? -1.0 : i == columns - 1 ? 2.0 : part;
-    values->SetValue(i,
-      scale.IsLogarithmic ? scale.Range[0] * std::pow(scale.Range[1] / scale.Range[0], part)
-                          : scale.Range[0] + part * (scale.Range[1] - scale.Range[0]));
-    values->SetValue(columns + i, vtkMath::Nan());
-  }
-  const auto mapped =
-    vtk::TakeSmartPointer(table->MapScalars(values, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
-  TextureImage image;
-  image.Width = columns;
-  image.Height = 2;
-  image.Wraps[0] = TextureWrap::Edge;
-  image.Wraps[1] = TextureWrap::Edge;
-  image.Interpolate = false;
-  image.Pixels.assign(
-    mapped->GetPointer(0), mapped->GetPointer(0) + 4 * mapped->GetNumberOfTuples());
-  Fingerprint name;
-  name.Add(image.Pixels);
-  scale.Name = name.Finish();
-  scale.Colors = std::make_shared<const Texture>(std::move(image), TextureKind::Colors);
-  return scale;
-}
-
 MappedTable SurfaceColors::FindPlaces(vtkDataArray* array)
 {
   MappedTable result;
@@ -211,29 +166,39 @@ MappedTable SurfaceColors::FindPlaces(vtkDataArray* array)
   vtkScalarsToColors* table = this->GetTable(array);
   const int components = array->GetNumberOfComponents();
   const int mode = table->GetVectorMode();
-  if (table->GetIndexedLookup() || (components > 1 && mode == vtkScalarsToColors::RGBCOLORS))
+  if (components > 1 && mode == vtkScalarsToColors::RGBCOLORS)
   {
     return result;
   }
-  const auto known = this->Scales.find(table);
-  const Scale& scale =
-    known != this->Scales.end() ? known->second : this->Scales[table] = MakeScale(table);
-  if (!scale.Colors)
+  auto known = this->Maps.find(table);
+  if (known == this->Maps.end())
+  {
+    ColorMap map = MakeColorMap(table);
+    const auto texture = map.Colors.empty() ? nullptr : MakeTexture(map);
+    known = this->Maps.emplace(table, std::make_pair(std::move(map), texture)).first;
+  }
+  if (!known->second.second)
   {
     return result;
   }
-  result.Colors = scale.Colors;
-  result.Name = scale.Name;
-  result.Places.reserve(array->GetNumberOfTuples());
+  ColorMap map = known->second.first;
   const int component = std::clamp(table->GetVectorComponent(), 0, components - 1);
+  const bool isMagnitude = components > 1 && mode == vtkScalarsToColors::MAGNITUDE;
+  map.Array = array->GetName() ? array->GetName() : "";
+  map.Component = NameComponent(array, isMagnitude ? -1 : component);
+  result.Colors = known->second.second;
+  result.Name = Identify(map);
+  result.Places.reserve(array->GetNumberOfTuples());
+  const glm::vec2 size(float(map.Colors.size()), 2.0f);
   std::vector<double> tuple(components);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     array->GetTuple(i, tuple.data());
-    const bool isVector = components > 1 && mode == vtkScalarsToColors::MAGNITUDE;
-    result.Places.push_back(
-      scale.GetPlace(isVector ? vtkMath::Norm(tuple.data(), components) : tuple[component]));
+    const glm::vec2 place =
+      map.GetPlace(isMagnitude ? vtkMath::Norm(tuple.data(), components) : tuple[component]);
+    result.Places.push_back((place + glm::vec2(0.0f, 0.5f)) / size);
   }
+  result.Map = std::make_shared<const ColorMap>(std::move(map));
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include "PathTracing/Materials/cslfTexture.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "Pipeline/cslfColorMap.h"
 
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
@@ -43,9 +44,10 @@ struct MappedColors
 /// A lookup table as a texture, for scalars that are interpolated before they are mapped.
 struct MappedTable
 {
-  std::shared_ptr<const Texture> Colors; ///< null if the array must be mapped first
-  std::string Name;                      ///< identifies the colours
-  std::vector<glm::vec2> Places;         ///< of the array's tuples
+  std::shared_ptr<const ColorMap> Map; ///< null if the array must be mapped first
+  std::shared_ptr<const Texture> Colors;
+  std::string Name;              ///< identifies the map
+  std::vector<glm::vec2> Places; ///< of the array's tuples, on the texture
 };
 
 /// Maps the arrays of all blocks of a scene in the same way.
@@ -70,19 +72,6 @@ public:
   MappedTable FindPlaces(vtkDataArray* array);
 
 private:
-  /// A table's colours, from below its range to above it. The second row is the colour of NaN.
-  struct Scale
-  {
-    std::shared_ptr<const Texture> Colors;
-    std::string Name;
-    int Steps = 0; ///< within the range
-    double Range[2] = { 0.0, 1.0 };
-    bool IsLogarithmic = false;
-
-    double GetPosition(double value) const;
-    glm::vec2 GetPlace(double value) const;
-  };
-
   /// Null for the default one.
   vtkScalarsToColors* FindTable(vtkDataArray* array) const;
 
@@ -90,12 +79,12 @@ private:
   vtkScalarsToColors* GetTable(vtkDataArray* array);
 
   vtkSmartPointer<vtkUnsignedCharArray> MapThroughTable(vtkDataArray* array);
-  static Scale MakeScale(vtkScalarsToColors* table);
 
   vtkScalarsToColors* LookupTable;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
   double Range[2];
-  std::map<vtkScalarsToColors*, Scale> Scales;
+  /// The maps of tables, without names, and their textures.
+  std::map<vtkScalarsToColors*, std::pair<ColorMap, std::shared_ptr<const Texture>>> Maps;
   std::mutex Mapping; ///< tables do not allow several threads
 };
 }

@@ -3,6 +3,7 @@
 #include "cslfMesh.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "Pipeline/cslfColorMap.h"
 #include "RandomNumbers/cslfSampling.h"
 
 #include <glm/geometric.hpp>
@@ -72,6 +73,21 @@ glm::vec3 Mesh::GetColor(const TrianglePoint& point) const
   }
   const glm::vec3 color = this->Interpolate(this->Colors, point);
   return this->HoldsDisplayed() ? FromDisplayed(color) / this->DisplayedWhite : color;
+}
+
+const ColorMap* Mesh::FindMap() const
+{
+  const bool isPlain = this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
+    !this->HasInstanceEmissions && this->EmissionsOf == ColorsOf::None &&
+    !this->Textures.Emission && this->Material.Emission == glm::vec3(0.0f) &&
+    (this->Material.Unlit || this->Material.IsLambertian());
+  return this->Map && isPlain && this->Map->IsOpaque() ? this->Map.get() : nullptr;
+}
+
+glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
+{
+  const glm::vec2 place = this->Interpolate(this->TexCoords, point);
+  return { place.x * static_cast<float>(this->Map->Colors.size()), place.y > 0.5f ? 1.0f : 0.0f };
 }
 
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const

@@ -24,6 +24,8 @@
 
 namespace cslf
 {
+struct ColorMap;
+
 /// A point of a triangle; or of a sphere or tube.
 struct TrianglePoint
 {
@@ -90,7 +92,8 @@ struct VTKCSLF_EXPORT Mesh
   glm::vec3 DisplayedWhite{ 0.0f };
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  std::string Appearance; ///< identifies the material and the textures
+  std::shared_ptr<const ColorMap> Map; ///< whose place are the texture coordinates, or null
+  std::string Appearance;              ///< identifies the material, the textures and the map
 
   /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
   /// scene's.
@@ -153,6 +156,13 @@ struct VTKCSLF_EXPORT Mesh
 
   /// Whether its base colour is that of the material everywhere.
   bool HasOneColor() const;
+
+  /// The map that alone tells how colours differ over the mesh, which looks the same from all
+  /// directions; or null.
+  const ColorMap* FindMap() const;
+
+  /// The place on the map.
+  glm::vec2 GetMapPlace(const TrianglePoint& point) const;
 
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
