@@ -153,7 +153,7 @@ def read_attributes(stream, points, size):
 def read_colors(header, streams):
     """The exact colours of bytes: front and back, point, red, green, blue and whether it is exact;
     nothing if there are none."""
-    if header.get("colors") != "srgb8":
+    if header.get("colors") not in ("srgb8", "light8"):
         return None
     count = header["points"]
     if count == 0:
@@ -237,9 +237,80 @@ class Bodies:
                             for side, flags in zip(sides, self.flags)])
 
 
+def to_linear(codes):
+    return numpy.where(codes <= 0.04045, codes / 12.92,
+                       (numpy.maximum(codes, 0.04045) / 1.055 + 0.055 / 1.055)**2.4)
+
+
+def to_encoded(light, most=1.0):
+    light = numpy.clip(light, 0.0, most)
+    return numpy.where(light <= 0.0031308, 12.92 * light,
+                       1.055 * numpy.maximum(light, 0.0031308)**(1.0 / 2.4) - 0.055)
+
+
+class Maps:
+    """Colour maps, and where points lie on them."""
+
+    def __init__(self, header, codes, colors):
+        self.maps = header["color_maps"]
+        self.light_steps = header["light_steps"]
+        light = header["maximum_light"] * numpy.arange(self.light_steps + 1) / self.light_steps
+        # Linear light has the precision of floats.
+        self.codes = to_encoded(to_linear(light).astype("f4").astype(float), None)
+        self.colors = []  # linear; the last one is that of what is not a number
+        for one in self.maps:
+            count = one["steps"] + 3
+            planes = numpy.frombuffer(colors[:4 * count], "u1").reshape(4, count)
+            colors = colors[4 * count:]
+            self.colors.append(to_linear(numpy.cumsum(planes, axis=1, dtype="u1")[:3].T / 255.0))
+        self.numbers = codes[:, 2].astype(int)
+        places = codes[:, 0].astype(int) + 256 * codes[:, 1].astype(int)
+        self.columns = numpy.zeros(len(codes))
+        self.is_none = numpy.zeros(len(codes), bool)
+        for number, one in enumerate(self.maps, 1):
+            own = self.numbers == number
+            none = (1 << one["bits"]) - 1
+            first, last = one["places"]
+            columns = first + (last - first) * places[own] / (none - 1)
+            inset = 1e-6 * (one["steps"] + 2)
+            is_within = (columns >= 1.0) & (columns <= 1.0 + one["steps"])
+            columns = numpy.where(
+                is_within, numpy.clip(columns, 1.0 + inset, 1.0 + one["steps"] - inset), columns)
+            whole = numpy.round(columns)
+            columns = numpy.where(numpy.abs(columns - whole) < 1e-7, whole, columns)
+            self.is_none[own] = places[own] == none
+            self.columns[own] = numpy.where(self.is_none[own], 0.5 * (one["steps"] + 2), columns)
+
+    def show(self, corners, lights, shares):
+        """The colours, from 0 to 255, at places of triangles with a map, from the bytes of light of
+        their corners."""
+        codes = self.codes[numpy.minimum(lights, self.light_steps).astype(int)]
+        light = to_linear((shares[..., None] * codes).sum(axis=1))
+        columns = numpy.floor((shares * self.columns[corners]).sum(axis=1)).astype(int)
+        is_none = (shares * self.is_none[corners]).sum(axis=1) > 0.5
+        base = numpy.zeros_like(light)
+        for number, colors in enumerate(self.colors, 1):
+            own = self.numbers[corners[:, 0]] == number
+            places = numpy.where(is_none, len(colors) - 1, numpy.clip(columns, 0, len(colors) - 2))
+            base[own] = colors[places[own]]
+        return 255.0 * to_encoded(light * base)
+
+
+def read_maps(header, streams, rest):
+    """The colour maps, or nothing, from the streams of places and what follows the bodies."""
+    if header.get("colors") != "light8":
+        return None
+    sizes = header["place_bytes"], header["body_place_bytes"]
+    bodies = header.get("bodies", {"groups": []})["groups"]
+    counts = header["points"], sum(group["points"] * group["bodies"] for group in bodies)
+    codes = [read_attributes(streams[first:first + size], count, 4)
+             for first, size, count in zip((0, sizes[0]), sizes, counts) if count]
+    return Maps(header, numpy.concatenate(codes), rest)
+
+
 def read_geometry(data):
-    """Points in CC, the corners of triangles, exact colours, and the header, of the bytes of the
-    part."""
+    """Points in CC, the corners of triangles, exact colours, colour maps, and the header, of the
+    bytes of the part."""
     size = struct.unpack_from("<I", data)[0]
     header = json.loads(data[4:4 + size])
     streams = zlib.decompress(data[4 + size:])
@@ -255,10 +326,11 @@ def read_geometry(data):
     points = bounds[:3] + steps / most * (bounds[3:] - bounds[:3])
     corners = numpy.array(corners, int).reshape(-1, 3)
     colors = read_colors(header, streams[end:])
+    end += (header.get("color_bytes", 0) + header.get("back_color_bytes", 0)
+            + header.get("exact_bytes", 0))
+    places = streams[end:]
+    rest = streams[end + header.get("place_bytes", 0) + header.get("body_place_bytes", 0):]
     if "bodies" in header:
-        end += (header["color_bytes"] + header.get("back_color_bytes", 0)
-                + header.get("exact_bytes", 0))
-        rest = streams[end:]
         for group in header["bodies"]["groups"]:
             bodies = Bodies(header["bodies"], group, rest, header.get("position_bits", 16))
             rest = bodies.rest
@@ -266,16 +338,18 @@ def read_geometry(data):
             points = numpy.concatenate([points, bodies.places])
             if colors is not None:
                 colors = numpy.concatenate([colors, bodies.colors()], axis=1)
-    return points, corners, colors, header
+    return points, corners, colors, read_maps(header, places, rest), header
 
 
 # What viewpoints see of it.
 
 
 class Viewer:
-    def __init__(self, points, corners, colors, nodes, base_nodes, resolution):
+    def __init__(self, points, corners, colors, maps, nodes, base_nodes, resolution):
         self.triangles = points[corners]  # triangle, corner, axis
         self.colors = None if colors is None else colors[:, corners].astype(float)
+        self.corners = corners
+        self.maps = maps
         self.nodes = nodes
         self.base_nodes = base_nodes
         self.resolution = resolution
@@ -343,7 +417,12 @@ class Viewer:
         """The colours in triangles, exact where those of all three corners are."""
         corners = self.colors[is_back.astype(int), triangles]
         shares = weights / weights.sum(axis=1, keepdims=True)
-        mixed = numpy.floor((shares[..., None] * corners).sum(axis=1) + 0.5)
+        mixed = (shares[..., None] * corners).sum(axis=1)
+        if self.maps:
+            numbers = self.corners[triangles]
+            own = self.maps.numbers[numbers[:, 0]] > 0
+            mixed[own, :3] = self.maps.show(numbers[own], corners[own, :, :3], shares[own])
+        mixed = numpy.floor(mixed + 0.5)
         mixed[:, 3] = (corners[..., 3] > 0).all(axis=1)
         return mixed.astype(int)
 

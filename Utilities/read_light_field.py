@@ -383,8 +383,9 @@ def compute_texels(header, parts, slices):
     found = [data for kind, name, data in parts
              if kind == read_geometry.TYPE and name == "geometry"]
     require(found, "it has no geometry")
-    points, corners, colors, _ = read_geometry.read_geometry(found[0])
-    viewer = read_geometry.Viewer(points, corners, colors, header["nodes"], header["base_nodes"],
+    points, corners, colors, maps, _ = read_geometry.read_geometry(found[0])
+    viewer = read_geometry.Viewer(points, corners, colors, maps, header["nodes"],
+                                  header["base_nodes"],
                                   header["resolution"])
     return tuple(numpy.stack(parts) for parts in zip(*(viewer.see(z) for z in slices)))
 

@@ -36,12 +36,15 @@ constexpr int MaximumSteps = 8190;
 /// The steps of a map of continuous colours.
 constexpr int ContinuousSteps = 4096;
 
-/// The distance of values in the range from its ends, in steps, so that floats never round them to
-/// values outside.
-constexpr double Inset = 1e-3;
+/// The distance of values in the range from its ends, as a share of the map, so that floats never
+/// round them to values outside.
+constexpr double Inset = 1e-6;
 
 /// Changes of colours count over one of so many parts of the range.
 constexpr int SteepnessWindows = 128;
+
+/// Places that are so near to the beginning of a step are there.
+constexpr double SnapDistance = 1e-7;
 
 /// Far outside of the range, a place must remain a number that floats can interpolate.
 constexpr double MaximumColumn = 1e6;
@@ -143,32 +146,36 @@ std::string ColorMap::GetScalarName() const
   return isTaken ? name + " (scalars)" : name;
 }
 
-glm::vec2 ColorMap::GetPlace(double value) const
+glm::dvec2 ColorMap::GetPlace(double value) const
 {
   const int steps = this->GetSteps();
   if (std::isnan(value))
   {
-    return { 0.5f * static_cast<float>(steps + 2), 1.0f };
+    return { 0.5 * (steps + 2), 1.0 };
   }
   const double first = ToScale(this->Range[0], this->IsLogarithmic);
   const double last = ToScale(this->Range[1], this->IsLogarithmic);
   double column = 1.0 + steps * (ToScale(value, this->IsLogarithmic) - first) / (last - first);
   if (value >= this->Range[0] && value <= this->Range[1])
   {
-    column = std::clamp(column, 1.0 + Inset, 1.0 + steps - Inset);
+    const double inset = Inset * (steps + 2);
+    column = std::clamp(column, 1.0 + inset, 1.0 + steps - inset);
   }
-  return { static_cast<float>(std::clamp(column, -MaximumColumn, MaximumColumn)), 0.0f };
+  // SnapDistance must not take a value from one step to the next.
+  const double whole = std::round(column);
+  column = std::abs(column - whole) < SnapDistance ? whole : column;
+  return { std::clamp(column, -MaximumColumn, MaximumColumn), 0.0 };
 }
 
-double ColorMap::GetValue(const glm::vec2& place) const
+double ColorMap::GetValue(const glm::dvec2& place) const
 {
-  if (place.y > 0.5f)
+  if (place.y > 0.5)
   {
     return vtkMath::Nan();
   }
   const double first = ToScale(this->Range[0], this->IsLogarithmic);
   const double last = ToScale(this->Range[1], this->IsLogarithmic);
-  const double value = first + (double(place.x) - 1.0) / this->GetSteps() * (last - first);
+  const double value = first + (place.x - 1.0) / this->GetSteps() * (last - first);
   return this->IsLogarithmic ? std::pow(10.0, value) : value;
 }
 
@@ -191,11 +198,11 @@ double ColorMap::GetSteepness() const
   return std::sqrt(most) / columns;
 }
 
-glm::vec3 ColorMap::GetColor(const glm::vec2& place) const
+glm::vec3 ColorMap::GetColor(const glm::dvec2& place) const
 {
-  const float last = static_cast<float>(this->Colors.size() - 1);
-  const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0f, last));
-  const Pixel& color = place.y > 0.5f ? this->NanColor : this->Colors[column];
+  const auto last = static_cast<double>(this->Colors.size() - 1);
+  const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0, last));
+  const Pixel& color = place.y > 0.5 ? this->NanColor : this->Colors[column];
   return SRGBToLinear(glm::dvec3(color[0], color[1], color[2]) / 255.0);
 }
 
@@ -308,7 +315,7 @@ ColorMap ReadColorMap(const std::string& text)
   return map;
 }
 
-glm::dvec3 ShowLight(const glm::dvec3& light, const ColorMap& map, const glm::vec2& place)
+glm::dvec3 ShowLight(const glm::dvec3& light, const ColorMap& map, const glm::dvec2& place)
 {
   return LinearToSRGB(SRGBToLinear(light) * glm::dvec3(map.GetColor(place)));
 }
@@ -321,7 +328,7 @@ glm::dvec3 ShowPlace(const MappedPoints& points, int side,
   for (int k = 0; k < 3; ++k)
   {
     light += weights[k] * glm::dvec3(points.Light[side][corners[k]]);
-    place += weights[k] * glm::dvec2(points.GetPlace(corners[k]));
+    place += weights[k] * points.GetPlace(corners[k]);
   }
   return ShowLight(light, points.GetMap(corners[0]), place);
 }

@@ -48,17 +48,17 @@ struct VTKCSLF_EXPORT ColorMap
 
   /// A place on the map, which is interpolated linearly: first the column, from 1 at the beginning
   /// of the range to 1 + steps at its end, then 0, or 1 for values that are not numbers.
-  glm::vec2 GetPlace(double value) const;
+  glm::dvec2 GetPlace(double value) const;
 
   /// The value at a place.
-  double GetValue(const glm::vec2& place) const;
+  double GetValue(const glm::dvec2& place) const;
 
   /// By how much colours change at most, as the root mean square of sRGB-encoded components, for
   /// each column, over parts of the range that are not too short.
   double GetSteepness() const;
 
   /// The colour at a place, between colours the nearest, linear.
-  glm::vec3 GetColor(const glm::vec2& place) const;
+  glm::vec3 GetColor(const glm::dvec2& place) const;
 };
 
 /// The map of a lookup table, without names. It has no colours if the table is one of categories or
@@ -94,7 +94,7 @@ struct MappedPoints
   bool IsEmpty() const { return this->Maps.empty(); }
   bool Has(std::size_t point) const { return !this->Numbers.empty() && this->Numbers[point] > 0; }
   const ColorMap& GetMap(std::size_t point) const { return this->Maps[this->Numbers[point] - 1]; }
-  glm::vec2 GetPlace(std::size_t point) const
+  glm::dvec2 GetPlace(std::size_t point) const
   {
     return this->GetMap(point).GetPlace(this->Scalars[point]);
   }
@@ -102,7 +102,7 @@ struct MappedPoints
 
 /// The colour of a surface with interpolated light, sRGB-encoded.
 glm::dvec3 VTKCSLF_EXPORT ShowLight(
-  const glm::dvec3& light, const ColorMap& map, const glm::vec2& place);
+  const glm::dvec3& light, const ColorMap& map, const glm::dvec2& place);
 
 /// The colour at a place of a triangle, sRGB-encoded. The corners are mapped points with one map,
 /// and `weights` the barycentric coordinates.

@@ -58,9 +58,9 @@ void RequireSound(bool condition)
 }
 }
 
-std::uint16_t MapCodes::Scale::ToCode(const glm::vec2& place) const
+std::uint16_t MapCodes::Scale::ToCode(const glm::dvec2& place) const
 {
-  if (place.y > 0.5f)
+  if (place.y > 0.5)
   {
     return static_cast<std::uint16_t>(this->GetNone());
   }
@@ -70,15 +70,13 @@ std::uint16_t MapCodes::Scale::ToCode(const glm::vec2& place) const
     std::lround(std::clamp(share, 0.0, 1.0) * (this->GetNone() - 1)));
 }
 
-glm::vec2 MapCodes::Scale::ToPlace(int code, const ColorMap& map) const
+glm::dvec2 MapCodes::Scale::ToPlace(int code, const ColorMap& map) const
 {
   if (code == this->GetNone())
   {
     return map.GetPlace(vtkMath::Nan());
   }
-  return { static_cast<float>(
-             glm::mix(this->First, this->Last, double(code) / (this->GetNone() - 1))),
-    0.0f };
+  return { glm::mix(this->First, this->Last, double(code) / (this->GetNone() - 1)), 0.0 };
 }
 
 MapCodes::MapCodes(const MappedPoints& points)
@@ -114,16 +112,16 @@ void MapCodes::Fit(const MappedPoints& points)
     {
       light = std::max({ light, double(side[i].x), double(side[i].y), double(side[i].z) });
     }
-    const glm::vec2 place = points.GetPlace(i);
+    const glm::dvec2 place = points.GetPlace(i);
     const glm::dvec3 base = LinearToSRGB(glm::dvec3(points.GetMap(i).GetColor(place)));
     baseSquares += glm::dot(base, base);
     mapped += 1.0;
-    if (place.y < 0.5f)
+    if (place.y < 0.5)
     {
       Scale& scale = this->Scales[number - 1];
       char& isUsed = areUsed[number - 1];
-      scale.First = isUsed != 0 ? std::min(scale.First, double(place.x)) : place.x;
-      scale.Last = isUsed != 0 ? std::max(scale.Last, double(place.x)) : place.x;
+      scale.First = isUsed != 0 ? std::min(scale.First, place.x) : place.x;
+      scale.Last = isUsed != 0 ? std::max(scale.Last, place.x) : place.x;
       isUsed = 1;
     }
   }

@@ -61,8 +61,8 @@ private:
 
     /// The largest number, which is what is not a number. Others are smaller.
     int GetNone() const { return (1 << this->Bits) - 1; }
-    std::uint16_t ToCode(const glm::vec2& place) const;
-    glm::vec2 ToPlace(int code, const ColorMap& map) const;
+    std::uint16_t ToCode(const glm::dvec2& place) const;
+    glm::dvec2 ToPlace(int code, const ColorMap& map) const;
   };
 
   void Fit(const MappedPoints& points);

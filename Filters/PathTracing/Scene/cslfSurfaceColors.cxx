@@ -194,8 +194,8 @@ MappedTable SurfaceColors::FindPlaces(vtkDataArray* array)
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     array->GetTuple(i, tuple.data());
-    const glm::vec2 place =
-      map.GetPlace(isMagnitude ? vtkMath::Norm(tuple.data(), components) : tuple[component]);
+    const glm::vec2 place(
+      map.GetPlace(isMagnitude ? vtkMath::Norm(tuple.data(), components) : tuple[component]));
     result.Places.push_back((place + glm::vec2(0.0f, 0.5f)) / size);
   }
   result.Map = std::make_shared<const ColorMap>(std::move(map));
