@@ -38,6 +38,9 @@ constexpr int MaximumSteps = 4096;
 /// values outside.
 constexpr double Inset = 1e-3;
 
+/// What rounding to floats may add to a scalar, as a share of it.
+constexpr double FloatStep = 0x1p-24;
+
 /// Far outside of the range, a place must remain a number that floats can interpolate.
 constexpr double MaximumColumn = 1e6;
 
@@ -148,7 +151,8 @@ glm::vec2 ColorMap::GetPlace(double value) const
   const double first = ToScale(this->Range[0], this->IsLogarithmic);
   const double last = ToScale(this->Range[1], this->IsLogarithmic);
   double column = 1.0 + steps * (ToScale(value, this->IsLogarithmic) - first) / (last - first);
-  if (value >= this->Range[0] && value <= this->Range[1])
+  const double rounding = FloatStep * std::max(std::abs(this->Range[0]), std::abs(this->Range[1]));
+  if (value >= this->Range[0] - rounding && value <= this->Range[1] + rounding)
   {
     column = std::clamp(column, 1.0 + Inset, 1.0 + steps - Inset);
   }
@@ -157,7 +161,7 @@ glm::vec2 ColorMap::GetPlace(double value) const
 
 double ColorMap::GetValue(const glm::vec2& place) const
 {
-  if (place.y > 0.5f)
+  if (place.y > NanShare)
   {
     return vtkMath::Nan();
   }
@@ -171,13 +175,14 @@ glm::vec3 ColorMap::GetColor(const glm::vec2& place) const
 {
   const float last = static_cast<float>(this->Colors.size() - 1);
   const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0f, last));
-  const Pixel& color = place.y > 0.5f ? this->NanColor : this->Colors[column];
+  const Pixel& color = place.y > NanShare ? this->NanColor : this->Colors[column];
   return SRGBToLinear(glm::dvec3(color[0], color[1], color[2]) / 255.0);
 }
 
 ColorMap MakeColorMap(vtkScalarsToColors* table)
 {
   ColorMap map;
+  table->Build();
   std::copy_n(table->GetRange(), 2, map.Range);
   map.IsLogarithmic = table->UsingLogScale() != 0;
   if (table->GetIndexedLookup() || !IsValid(map.Range, map.IsLogarithmic))
