@@ -269,7 +269,13 @@ public:
   void SetScalarRange(double lowest, double highest) override;
   using vtkMapper::SetScalarRange;
   double* GetScalarRange() VTK_SIZEHINT(2) override;
-  using vtkMapper::GetScalarRange;
+  VTK_WRAPEXCLUDE
+  void GetScalarRange(double range[2]) override
+  {
+    const double* found = this->GetScalarRange();
+    range[0] = found[0];
+    range[1] = found[1];
+  }
   ///@}
 
   /**

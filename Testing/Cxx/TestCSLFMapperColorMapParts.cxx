@@ -23,6 +23,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkReverseSense.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -86,6 +87,19 @@ void TestLight()
   sheet.Check("back in another table", steps, sides.Back);
   camera->SetPosition(0.5, 0.3, 5.0);
   sheet.Check("front in another table", steps);
+
+  // The mesh of closed parts is turned to the outside.
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputData(MakeSphere({ 0.0, 0.0, 0.0 }, Radius));
+  reverse->Update();
+  vtkPolyData* turned = reverse->GetOutput();
+  sides.Front = 0.2;
+  sides.Back = MapLight;
+  AddColors(turned, own, sides);
+  MapComparison ball(turned);
+  ball.Check("turned", own);
+  ball.Mapper->SetLookupTable(MakeSteps(0.0, 1.0));
+  ball.Check("turned, in another table", MakeSteps(-0.8, 0.8));
 
   // Dark colours in bright light.
   MapLook bright;

@@ -45,7 +45,10 @@ void TestTables()
   // Before anything is drawn or set, the mapper tells the field's map.
   auto* told = vtkLookupTable::SafeDownCast(mapper->GetLookupTable());
   CSLF_CHECK(told && told->GetNumberOfTableValues() == 256);
-  CSLF_CHECK_NEAR(mapper->GetScalarRange()[0], -Radius, 1e-12);
+  double range[2];
+  mapper->GetScalarRange(range);
+  CSLF_CHECK_NEAR(range[0], -Radius, 1e-12);
+  CSLF_CHECK_NEAR(mapper->GetScalarRange()[1], Radius, 1e-12);
   CSLF_CHECK_NEAR(told->GetTableRange()[1], Radius, 1e-12);
   for (const double value : { -0.7, 0.0, 0.3 })
   {
