@@ -3,6 +3,7 @@
 #include "cslfShownMaps.h"
 
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfTableCopy.h"
 #include "cslfColor.h"
 #include "cslfGeometryMesh.h"
 
@@ -55,21 +56,6 @@ std::optional<ColorMap> Stretch(const ColorMap& map, const double range[2], std:
   return stretched;
 }
 
-/// Makes a lookup table like another. VTK 9.1's DeepCopy leaves some colours out.
-void CopyTable(vtkScalarsToColors* from, vtkScalarsToColors* to)
-{
-  to->DeepCopy(from);
-  auto* source = vtkLookupTable::SafeDownCast(from);
-  auto* target = vtkLookupTable::SafeDownCast(to);
-  if (source && target)
-  {
-    target->SetBelowRangeColor(source->GetBelowRangeColor());
-    target->SetUseBelowRangeColor(source->GetUseBelowRangeColor());
-    target->SetAboveRangeColor(source->GetAboveRangeColor());
-    target->SetUseAboveRangeColor(source->GetUseAboveRangeColor());
-  }
-}
-
 /// The map of a table over a range, or nothing. The table is not changed. Transfer functions have a
 /// range of their own, which VTK's mappers do not change either.
 std::optional<ColorMap> ApplyTable(
@@ -91,8 +77,7 @@ std::optional<ColorMap> ApplyTable(
   {
     return MakeColorMap(table);
   }
-  const auto copy = vtk::TakeSmartPointer(table->NewInstance());
-  CopyTable(table, copy);
+  const auto copy = CopyTable(table);
   copy->SetRange(range[0], range[1]);
   return MakeColorMap(copy);
 }
@@ -227,7 +212,7 @@ void MapTable::Update(const ColorMap& map, const double range[2])
     wanted.NanColor == this->Map.NanColor;
   if (!isSame && !this->IsChanged())
   {
-    CopyTable(MakeLookupTable(wanted), this->Table);
+    UpdateLookupTable(wanted, this->Table);
     this->Time = this->Table->GetMTime();
     this->Map = wanted;
   }

@@ -211,7 +211,7 @@ ColorMap MakeColorMap(vtkScalarsToColors* table)
   return map;
 }
 
-vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
+void UpdateLookupTable(const ColorMap& map, vtkLookupTable* table)
 {
   const auto set = [](const ColorMap::Pixel& color, double value[4])
   {
@@ -220,7 +220,6 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
       value[c] = color[c] / 255.0;
     }
   };
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(map.GetSteps());
   double value[4];
   for (int i = 0; i < map.GetSteps(); ++i)
@@ -228,8 +227,9 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
     set(map.Colors[i + 1], value);
     table->SetTableValue(i, value);
   }
-  map.IsLogarithmic ? table->SetScaleToLog10() : table->SetScaleToLinear();
+  table->SetScaleToLinear(); // allows all ranges
   table->SetTableRange(map.Range[0], map.Range[1]);
+  map.IsLogarithmic ? table->SetScaleToLog10() : table->SetScaleToLinear();
   set(map.Colors.front(), value);
   table->SetBelowRangeColor(value);
   table->UseBelowRangeColorOn();
@@ -238,6 +238,12 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
   table->UseAboveRangeColorOn();
   set(map.NanColor, value);
   table->SetNanColor(value);
+}
+
+vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
+{
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  UpdateLookupTable(map, table);
   return table;
 }
 

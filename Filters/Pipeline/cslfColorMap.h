@@ -65,8 +65,11 @@ struct VTKCSLF_EXPORT ColorMap
 /// has no range.
 VTKCSLF_EXPORT ColorMap MakeColorMap(vtkScalarsToColors* table);
 
-/// A lookup table that maps like a map.
+///@{
+/// A lookup table that maps like a map: a new one, or one that was made so before.
 VTKCSLF_EXPORT vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map);
+void UpdateLookupTable(const ColorMap& map, vtkLookupTable* table);
+///@}
 
 ///@{
 /// Says as JSON what maps are, without their colours, and the opposite, which throws
