@@ -28,7 +28,7 @@ cslf_add(Filters/Parallel Ranks)
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
   ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
-  Phase PolygonFill Requests ScenePipeline TriangleList ValidPolyData
+  Phase PolygonFill Requests ScenePipeline TableCopy TriangleList ValidPolyData
   VTKCompatibility)
 
 # Reduction of fields.

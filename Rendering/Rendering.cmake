@@ -7,10 +7,10 @@ list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
   Balls ClosedParts DrawnViews FieldTexture FlatUniforms Focus GeometryMesh LookupPicture LookupTools
-  MeshLevels OpenGL Residency TilePool ViewFrustum ViewpointLevels)
+  MeshLevels OpenGL Residency ShownMaps TilePool ViewFrustum ViewpointLevels)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
-foreach (shader IN ITEMS BallFS BallVS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS
+foreach (shader IN ITEMS BallFS BallVS Color Cube Encoding Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS
     MeanFS Normals PictureFS PictureVS SceneGrid Surface SurfaceFS ToneMapping)
   list(APPEND shaders "${CSLF_SOURCE_DIR}/Rendering/Shaders/cslf${shader}.glsl")
 endforeach ()

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBalls.h"
 
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfParallelFor.h"
 #include "cslfBallFS.h"
 #include "cslfBallVS.h"
+#include "cslfColor.h"
 #include "cslfOpenGL.h"
+#include "cslfShownMaps.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLBufferObject.h>
@@ -20,6 +24,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -70,18 +75,11 @@ glm::dvec3 GetDirection(double x, double y)
   return glm::normalize(direction);
 }
 
-/// A colour between three points of a prototype.
-struct Blend
-{
-  std::array<std::uint32_t, 3> Points{};
-  std::array<float, 3> Weights{};
-};
-
 /// Which triangle a direction from the origin meets, and where.
-Blend FindBlend(const std::vector<glm::dvec3>& points, const std::uint32_t* corners,
+PointBlend FindBlend(const std::vector<glm::dvec3>& points, const std::uint32_t* corners,
   std::size_t triangles, const glm::dvec3& direction)
 {
-  Blend best;
+  PointBlend best;
   double bestInside = -2.0;
   for (std::size_t i = 0; i < triangles; ++i)
   {
@@ -181,9 +179,9 @@ std::vector<glm::vec4> ListSpheres(const BodyGroupData& bodies,
   return spheres;
 }
 
-/// The image of a group, if it is not too large.
-bool PaintSquares(const BodyGroupData& bodies, const std::vector<std::size_t>& order,
-  const std::vector<std::uint32_t>& corners, const std::vector<glm::vec4>& colors, BallGroup& group)
+/// Lays out the image of a group, if it is not too large.
+bool LayOutSquares(const BodyGroupData& bodies, const std::vector<std::size_t>& order,
+  const std::vector<std::uint32_t>& corners, BallGroup& group)
 {
   const double texels = TexelsPerPoint * static_cast<double>(bodies.Prototype.size());
   group.Side = static_cast<int>(std::ceil(std::sqrt(texels)));
@@ -207,32 +205,99 @@ bool PaintSquares(const BodyGroupData& bodies, const std::vector<std::size_t>& o
       return false;
     }
   }
-  std::vector<Blend> blends;
   for (int y = 0; y < side; ++y)
   {
     for (int x = 0; x < side; ++x)
     {
-      blends.push_back(FindBlend(bodies.Prototype, triangles.data(), bodies.Triangles,
+      group.Texels.push_back(FindBlend(bodies.Prototype, triangles.data(), bodies.Triangles,
         GetDirection((2.0 * x - 1.0) / group.Side - 1.0, (2.0 * y - 1.0) / group.Side - 1.0)));
     }
   }
-  const std::size_t width = static_cast<std::size_t>(group.SquaresPerRow) * side;
-  group.Texels.assign(width * group.Rows * side, 0U);
-  for (std::size_t square = 0; square < order.size(); ++square)
+  group.PrototypePoints = bodies.Prototype.size();
+  for (const std::size_t body : order)
   {
-    const glm::vec4* own =
-      colors.data() + bodies.FirstPoint + order[square] * bodies.Prototype.size();
-    const std::size_t first =
-      square / group.SquaresPerRow * side * width + square % group.SquaresPerRow * side;
-    for (std::size_t i = 0; i < blends.size(); ++i)
-    {
-      const Blend& blend = blends[i];
-      const glm::vec4 color = blend.Weights[0] * own[blend.Points[0]] +
-        blend.Weights[1] * own[blend.Points[1]] + blend.Weights[2] * own[blend.Points[2]];
-      group.Texels[first + i / side * width + i % side] = PackColor(color);
-    }
+    group.Points.push_back(bodies.FirstPoint + body * group.PrototypePoints);
   }
   return true;
+}
+
+/// The light of a code from 0 to 1, by a table.
+class LightDecoder
+{
+public:
+  LightDecoder()
+  {
+    for (std::size_t i = 0; i < this->Table.size(); ++i)
+    {
+      this->Table[i] = static_cast<float>(SRGBToLinear(static_cast<double>(i) / Steps));
+    }
+  }
+
+  float Decode(float code) const
+  {
+    const float place = Steps * std::clamp(code, 0.0f, 1.0f);
+    const auto below = std::min(static_cast<std::size_t>(place), this->Table.size() - 2);
+    const float weight = place - static_cast<float>(below);
+    return (1.0f - weight) * this->Table[below] + weight * this->Table[below + 1];
+  }
+
+private:
+  static constexpr int Steps = 1024;
+  std::array<float, Steps + 1> Table{};
+};
+
+/// The light that a surface with a base colour reflects, as PackColor packs it. Brighter light than
+/// 1 does not occur here, see FindBalls.
+std::uint32_t PackLight(const glm::vec4& code, const glm::vec4& base)
+{
+  static const LightDecoder decoder;
+  static const ByteEncoder encoder;
+  std::uint32_t packed = 0xff000000U;
+  for (int c = 0; c < 3; ++c)
+  {
+    packed |= std::uint32_t(encoder.Encode(decoder.Decode(code[c]) * base[c])) << (8 * c);
+  }
+  return packed;
+}
+
+/// The image of a group: red, green, blue, 255, row by row.
+std::vector<std::uint32_t> PaintSquares(const BallGroup& group, const PointColors& colors)
+{
+  const auto side = static_cast<std::size_t>(group.Side) + 2;
+  const auto perRow = static_cast<std::size_t>(group.SquaresPerRow);
+  const std::size_t width = perRow * side;
+  std::vector<std::uint32_t> image(width * static_cast<std::size_t>(group.Rows) * side, 0U);
+  const auto paint = [&](std::size_t square)
+  {
+    const std::size_t point = group.Points[square];
+    const glm::vec4* own = colors.Colors.data() + point;
+    const std::size_t first = square / perRow * side * width + square % perRow * side;
+    std::vector<glm::vec2> places;
+    for (std::size_t i = point; colors.Maps && i < point + group.PrototypePoints; ++i)
+    {
+      places.push_back(colors.Maps->GetPlace(colors.Mapped, i));
+    }
+    for (std::size_t i = 0; i < group.Texels.size(); ++i)
+    {
+      const PointBlend& blend = group.Texels[i];
+      const std::size_t corner = point + blend.Points[0];
+      const glm::vec4 color = blend.Mix(own);
+      image[first + i / side * width + i % side] = colors.Maps && colors.Mapped.Has(corner)
+        ? PackLight(color,
+            colors.Maps->GetColor(
+              colors.Mapped.Numbers[corner] - std::size_t(1), blend.Mix(places.data())))
+        : PackColor(color);
+    }
+  };
+  ParallelFor(0, static_cast<vtkIdType>(group.Points.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType square = begin; square < end; ++square)
+      {
+        paint(static_cast<std::size_t>(square));
+      }
+    });
+  return image;
 }
 }
 
@@ -290,7 +355,7 @@ Balls FindBalls(vtkPolyData* geometry, const Cube& box, const MeshView& mesh)
     group.Scale = scale;
     const std::vector<std::size_t> order = Shuffle(bodies.Matrices.size());
     group.Spheres = ListSpheres(bodies, order, box, scale, mesh);
-    if (group.Spheres.empty() || !PaintSquares(bodies, order, corners, colors, group))
+    if (group.Spheres.empty() || !LayOutSquares(bodies, order, corners, group))
     {
       continue;
     }
@@ -312,6 +377,7 @@ struct BallPicture::Group
   std::vector<std::size_t> Counts; ///< at all levels
 
   void Upload(vtkOpenGLRenderWindow* window, const BallGroup& group);
+  void Paint(const BallGroup& group, const PointColors& colors);
   void Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc, const glm::dvec4& eyeCC,
     std::size_t level);
   void Release(vtkWindow* window);
@@ -342,21 +408,25 @@ void BallPicture::Group::Upload(vtkOpenGLRenderWindow* window, const BallGroup& 
   this->Spheres->Upload(&corners.front().x, 4 * corners.size(), vtkOpenGLBufferObject::ArrayBuffer);
   this->Squares.IBO->Upload(triangles, vtkOpenGLBufferObject::ElementArrayBuffer);
   this->Squares.IBO->IndexCount = triangles.size();
-  const auto side = static_cast<unsigned int>(group.Side + 2);
   this->Colors->SetContext(window);
   this->Colors->SetMinificationFilter(vtkTextureObject::Linear);
   this->Colors->SetMagnificationFilter(vtkTextureObject::Linear);
   this->Colors->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Colors->SetWrapT(vtkTextureObject::ClampToEdge);
-  std::vector<std::uint32_t> texels = group.Texels;
-  this->Colors->Create2DFromRaw(static_cast<unsigned int>(group.SquaresPerRow) * side,
-    static_cast<unsigned int>(group.Rows) * side, 4, VTK_UNSIGNED_CHAR, texels.data());
   this->Squares.Program = window->GetShaderCache()->ReadyShaderProgram(cslfBallVS, cslfBallFS, "");
   this->Squares.VAO->Bind();
   this->Spheres->Bind();
   this->Squares.VAO->AddAttributeArray(
     this->Squares.Program, this->Spheres, "sphere", 0, 4 * sizeof(float), VTK_FLOAT, 4, false);
   this->Squares.VAO->Release();
+}
+
+void BallPicture::Group::Paint(const BallGroup& group, const PointColors& colors)
+{
+  const auto side = static_cast<unsigned int>(group.Side + 2);
+  std::vector<std::uint32_t> image = PaintSquares(group, colors);
+  this->Colors->Create2DFromRaw(static_cast<unsigned int>(group.SquaresPerRow) * side,
+    static_cast<unsigned int>(group.Rows) * side, 4, VTK_UNSIGNED_CHAR, image.data());
 }
 
 void BallPicture::Group::Draw(vtkOpenGLRenderWindow* window, const DisplayRows& ccdc,
@@ -407,6 +477,14 @@ void BallPicture::Upload(vtkOpenGLRenderWindow* window, const Balls& balls)
   {
     this->Groups.push_back(std::make_unique<Group>());
     this->Groups.back()->Upload(window, group);
+  }
+}
+
+void BallPicture::Paint(const Balls& balls, const PointColors& colors)
+{
+  for (std::size_t i = 0; i < this->Groups.size(); ++i)
+  {
+    this->Groups[i]->Paint(balls.Groups[i], colors);
   }
 }
 

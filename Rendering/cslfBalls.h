@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,32 @@ class vtkWindow;
 
 namespace cslf
 {
+struct MappedPoints;
+class ShownMaps;
+
+/// A place between three points of a prototype.
+struct PointBlend
+{
+  std::array<std::uint32_t, 3> Points{};
+  std::array<float, 3> Weights{};
+
+  template <typename Value>
+  Value Mix(const Value* values) const
+  {
+    return this->Weights[0] * values[this->Points[0]] + this->Weights[1] * values[this->Points[1]] +
+      this->Weights[2] * values[this->Points[2]];
+  }
+};
+
+/// The colours of a geometry's points, as GeometryMesh has them, and the maps of those that have
+/// any.
+struct PointColors
+{
+  const std::vector<glm::vec4>& Colors;
+  const MappedPoints& Mapped;
+  const ShownMaps* Maps; ///< null without mapped points
+};
+
 /// Spheres with the colours that they have in all directions, in squares of an image: octahedral
 /// maps (Praun, Hoppe, "Spherical Parametrization and Remeshing", 2003) within a rim of one texel.
 struct BallGroup
@@ -40,7 +67,9 @@ struct BallGroup
   int Side = 0; ///< of a square without rim
   int SquaresPerRow = 0;
   int Rows = 0;
-  std::vector<std::uint32_t> Texels; ///< red, green, blue, 255, row by row
+  std::vector<PointBlend> Texels;  ///< of a square with its rim, row by row
+  std::vector<std::size_t> Points; ///< of each sphere, the first of the geometry's
+  std::size_t PrototypePoints = 0; ///< that it has there
 };
 
 /// The groups of a geometry whose bodies are balls, and which triangles these have. Their front is
@@ -78,8 +107,11 @@ public:
   BallPicture(const BallPicture&) = delete;
   BallPicture& operator=(const BallPicture&) = delete;
 
-  /// Uploads balls in place of others.
+  /// Uploads balls in place of others. They need colours then.
   void Upload(vtkOpenGLRenderWindow* window, const Balls& balls);
+
+  /// Uploads the colours of these balls, or other ones.
+  void Paint(const Balls& balls, const PointColors& colors);
 
   /// Draws colours and depths, z in DC, of a view from cube coordinates. The eye (w = 1), or the
   /// direction of a parallel projection (w = 0), must be outside of all balls.

@@ -12,7 +12,10 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -58,6 +61,33 @@ void MarkExact(const PointColorArrays& arrays, bool isBack, std::vector<glm::vec
       }
     }
   }
+}
+
+/// Gives mapped points the light of a side in place of their colours there. Those without a colour
+/// are not exact.
+void SetLight(const MappedPoints& points, std::size_t side, std::vector<glm::vec4>& colors)
+{
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    if (points.Has(i))
+    {
+      colors[i] = glm::vec4(points.Light[side][i], colors[i].w > 0.0f ? colors[i].w : 0.5f);
+    }
+  }
+}
+
+/// Takes the mapped points, and their light, after MarkExact.
+void TakeMappedPoints(vtkPolyData* triangles, GeometryMesh& mesh)
+{
+  mesh.Mapped = FindMappedPoints(triangles);
+  std::array<std::vector<glm::vec3>, 2>& light = mesh.Mapped.Light;
+  if (light[0] != light[1] && mesh.BackColors.empty())
+  {
+    mesh.BackColors = mesh.Colors;
+  }
+  SetLight(mesh.Mapped, 0, mesh.Colors);
+  SetLight(mesh.Mapped, 1, mesh.BackColors);
+  light = {};
 }
 
 bool AreBright(const std::vector<glm::vec4>& colors)
@@ -128,15 +158,17 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   mesh->Colors.resize(mesh->PointsCC.size(), glm::vec4(0.0f));
   mesh->BackColors = GetColors(colors.Back);
   // Colours of another type have another encoding.
-  mesh->HasExactColors =
-    colors.Exact && colors.Front->GetDataType() == field.FindChannel(KnownChannel::Color)->Type;
+  const Channel& shown = *field.FindChannel(KnownChannel::Color);
+  mesh->IsLinear = shown.Encoding == LinearEncoding;
+  mesh->HasExactColors = colors.Exact && colors.Front->GetDataType() == shown.Type;
   if (mesh->HasExactColors)
   {
     MarkExact(colors, false, mesh->Colors);
     MarkExact(colors, true, mesh->BackColors);
-    mesh->IsBright = colors.Front->GetDataType() == VTK_UNSIGNED_CHAR &&
-      (AreBright(mesh->Colors) || AreBright(mesh->BackColors));
   }
+  TakeMappedPoints(triangles, *mesh);
+  mesh->IsBright = mesh->HasExactColors && shown.Type == VTK_UNSIGNED_CHAR &&
+    (AreBright(mesh->Colors) || AreBright(mesh->BackColors));
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = IsCompleteGeometry(geometry);
   mesh->IsAlone = mesh->HasExactColors && mesh->IsComplete && !field.MayShowEnvironment() &&

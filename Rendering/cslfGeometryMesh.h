@@ -8,6 +8,7 @@
 #define cslfGeometryMesh_h
 
 #include "Lookup/cslfSceneGrid.h"
+#include "Pipeline/cslfColorMap.h"
 #include "cslfBalls.h"
 #include "cslfDescription.h"
 #include "cslfMeshLevels.h"
@@ -31,9 +32,11 @@ struct GeometryMesh
   glm::vec3 MinimumCC = glm::vec3(1.0f); ///< the bounds of the points that triangles have
   glm::vec3 MaximumCC = glm::vec3(-1.0f);
   /// Of the points, transparent where there is none. If any is exact, alpha is 1 where it is.
+  /// Mapped points have their light instead, not associated with alpha.
   std::vector<glm::vec4> Colors;
   std::vector<glm::vec4> BackColors;  ///< on the back; empty if they are the same
   std::vector<std::uint32_t> Corners; ///< three for each triangle
+  MappedPoints Mapped;                ///< without their light
 
   /// The number of corners of closed parts, which come first, counterclockwise from outside.
   std::size_t ClosedCorners = 0;
@@ -45,8 +48,11 @@ struct GeometryMesh
 
   /// Whether all points have a colour, and whether any of these is exact.
   bool HasColors = false;
-  bool IsBright = false; ///< some exact colours are above 1
+  bool IsBright = false; ///< some exact colours are above 1, or could be in another map
   bool HasExactColors = false;
+
+  /// Whether the field's colours are linear, as mapped points must be then.
+  bool IsLinear = false;
 
   /// Whether it has all surfaces: rays that miss it see none.
   bool IsComplete = false;
@@ -78,8 +84,8 @@ private:
 };
 
 /// The polygons and strips of a field's geometry as triangles, with its point data `Color`,
-/// `BackColor` and `ExactColor`. Null if there are none, if it lost too much to be useful, or if it
-/// has a fault, which is told.
+/// `BackColor` and `ExactColor`, and its mapped points. Null if there are none, if it lost too much
+/// to be useful, or if it has a fault, which is told.
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
   vtkPolyData* geometry, const Description& field, std::string& fault);
 }

@@ -154,7 +154,7 @@ bool LookupPicture::View::operator==(const View& other) const
     this->CCDC == other.CCDC && this->EyeCC == other.EyeCC &&
     this->IsEyeInside == other.IsEyeInside && this->EntryFaces == other.EntryFaces &&
     this->FocalPointsCC == other.FocalPointsCC && this->Geometry == other.Geometry &&
-    this->ClippingPlanesCC == other.ClippingPlanesCC;
+    this->Maps == other.Maps && this->ClippingPlanesCC == other.ClippingPlanesCC;
 }
 
 LookupPicture::LookupPicture() = default;
@@ -380,7 +380,7 @@ DisplayRows LookupPicture::GetRows() const
 SurfacePicture::View LookupPicture::GetSurfaceView() const
 {
   return { this->GetRows(), this->Current.IsEyeInside, this->Current.ClippingPlanesCC,
-    this->Current.EyeCC, this->Level };
+    this->Current.EyeCC, this->Level, this->Current.Maps };
 }
 
 void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) const

@@ -48,6 +48,7 @@ public:
     std::array<bool, FaceCount> EntryFaces{};
     std::array<glm::dvec3, FaceCount> FocalPointsCC{};
     std::shared_ptr<const GeometryMesh> Geometry; ///< null if there is none
+    std::shared_ptr<const ShownMaps> Maps;        ///< of its mapped points, or null
     std::vector<glm::dvec4> ClippingPlanesCC;     ///< that cut the geometry
 
     bool operator==(const View& other) const;

@@ -5,6 +5,7 @@
 #include "cslfColorGLSL.h"
 #include "cslfCubeGLSL.h"
 #include "cslfDescription.h"
+#include "cslfEncodingGLSL.h"
 #include "cslfEntryGLSL.h"
 #include "cslfFieldGLSL.h"
 #include "cslfFlatUniforms.h"
@@ -146,18 +147,40 @@ void SurfacePicture::Upload(vtkOpenGLRenderWindow* window)
   this->CoarseTriangles->IndexCount = 0;
 }
 
+void SurfacePicture::UploadMaps(vtkOpenGLRenderWindow* window, const ShownMaps* earlier)
+{
+  const GeometryMesh& mesh = *this->Mesh;
+  this->Spheres.Paint(mesh.Balls, { mesh.Colors, mesh.Mapped, this->Maps.get() });
+  if (!this->Maps)
+  {
+    return;
+  }
+  if (!earlier || !this->Maps->HasPlacesOf(*earlier))
+  {
+    const std::vector<glm::vec2> places = this->Maps->ListPlaces(mesh.Mapped);
+    this->PlaceBuffer->Upload(
+      &places.front().x, 2 * places.size(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
+  std::vector<glm::vec4> image = this->Maps->GetImage();
+  Renew(this->MapColors, window, vtkTextureObject::Nearest);
+  this->MapColors->Create2DFromRaw(static_cast<unsigned int>(this->Maps->GetWidth()),
+    static_cast<unsigned int>(this->Maps->GetHeight()), 4, VTK_FLOAT, image.data());
+}
+
 void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
 {
   const bool hasBackColors = !this->Mesh->BackColors.empty();
   const std::string options = std::string(hasBackColors ? "#define BACK_COLORS\n" : "") +
     (this->Mesh->IsBright ? "#define BRIGHT\n" : "") +
-    (this->Mesh->IsAlone ? "#define ALONE\n" : "") +
+    (this->Mesh->IsAlone ? "#define ALONE\n" : "") + (this->Maps ? "#define COLOR_MAPS\n" : "") +
+    (this->Maps && this->Mesh->IsLinear ? "#define LINEAR_COLOR\n" : "") +
     (this->Planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(this->Planes) : "");
   std::string vertex = cslfGeometryVS;
   std::string fragment = cslfGeometryFS;
   vtkShaderProgram::Substitute(vertex, "//CSLF::Options::Dec", options);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec", options);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Normals::Dec", cslfNormalsGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Encoding::Dec", cslfEncodingGLSL);
   this->Triangles.Program =
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   this->Triangles.VAO->Bind();
@@ -171,19 +194,29 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
     this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->BackColorBuffer,
       "vertexBackColor", 0, 4 * sizeof(float), VTK_FLOAT, 4, false);
   }
+  if (this->Maps)
+  {
+    this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->PlaceBuffer,
+      "vertexPlace", 0, 2 * sizeof(float), VTK_FLOAT, 2, false);
+  }
 }
 
-void SurfacePicture::Prepare(vtkOpenGLRenderWindow* window,
-  const std::shared_ptr<const GeometryMesh>& mesh, std::size_t planes)
+void SurfacePicture::Prepare(
+  vtkOpenGLRenderWindow* window, const std::shared_ptr<const GeometryMesh>& mesh, const View& view)
 {
   const bool isNew = std::exchange(this->Mesh, mesh) != mesh;
+  const auto earlier = std::exchange(this->Maps, view.Maps);
   if (isNew)
   {
     this->Upload(window);
   }
-  if (isNew || !this->Triangles.Program || this->Planes != planes)
+  if (isNew || this->Maps != earlier)
   {
-    this->Planes = planes;
+    this->UploadMaps(window, isNew ? nullptr : earlier.get());
+  }
+  if (isNew || !this->Triangles.Program || this->Planes != view.PlanesCC.size())
+  {
+    this->Planes = view.PlanesCC.size();
     this->Triangles.VAO->ReleaseGraphicsResources();
     this->Build(window);
   }
@@ -194,7 +227,7 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
   const std::shared_ptr<const GeometryMesh>& mesh, const View& view, const LookupTarget& target)
 {
   this->Allocate(window, target);
-  this->Prepare(window, mesh, view.PlanesCC.size());
+  this->Prepare(window, mesh, view);
   framebuffer->SetContext(window);
   framebuffer->Bind();
   framebuffer->AddColorAttachment(0, this->Points);
@@ -211,7 +244,7 @@ void SurfacePicture::DrawAlone(vtkOpenGLRenderWindow* window,
   const View& view, const LookupTarget& target)
 {
   this->AllocateDepths(window, target.Size);
-  this->Prepare(window, mesh, view.PlanesCC.size());
+  this->Prepare(window, mesh, view);
   this->ClearDepths(window, framebuffer, target.Size);
   this->DrawMesh(window, view);
 }
@@ -253,8 +286,17 @@ void SurfacePicture::DrawMesh(vtkOpenGLRenderWindow* window, const View& view)
     program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
+  if (this->Maps)
+  {
+    this->MapColors->Activate();
+    program->SetUniformi("MapColors", this->MapColors->GetTextureUnit());
+  }
   const bool isWhole = !view.IsEyeInside && view.PlanesCC.empty() && !IsCut(view.CCDC, *this->Mesh);
   this->DrawTriangles(state, view.Level, isWhole && !IsMirrored(view.CCDC), !isWhole);
+  if (this->Maps)
+  {
+    this->MapColors->Deactivate();
+  }
   if (isWhole)
   {
     this->Spheres.Draw(window, view.CCDC, view.EyeCC, view.Level);
@@ -321,6 +363,8 @@ void SurfacePicture::Release(vtkWindow* window)
   this->Points->ReleaseGraphicsResources(window);
   this->Colors->ReleaseGraphicsResources(window);
   this->Depths->ReleaseGraphicsResources(window);
+  this->MapColors->ReleaseGraphicsResources(window);
+  this->PlaceBuffer->ReleaseGraphicsResources();
   this->PointBuffer->ReleaseGraphicsResources();
   this->ColorBuffer->ReleaseGraphicsResources();
   this->BackColorBuffer->ReleaseGraphicsResources();
@@ -329,6 +373,7 @@ void SurfacePicture::Release(vtkWindow* window)
   this->Spheres.Release(window);
   this->Triangles.Program = nullptr;
   this->Mesh.reset();
+  this->Maps.reset();
 }
 
 void LookupTarget::Allocate(
@@ -485,6 +530,7 @@ vtkOpenGLQuadHelper& LookupTools::GetMean(
         (hasEarlier ? "\n#define HAS_EARLIER" : "") + (isLinear ? "\n#define LINEAR_COLOR" : ""));
     vtkShaderProgram::Substitute(fragment, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
     vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
+    vtkShaderProgram::Substitute(fragment, "//CSLF::Encoding::Dec", cslfEncodingGLSL);
     mean = std::make_unique<vtkOpenGLQuadHelper>(window, cslfPictureVS, fragment.c_str(), "");
   }
   return *mean;

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "cslfGeometryMesh.h"
+#include "cslfShownMaps.h"
 #include "cslfViewFrustum.h"
 
 class vtkOpenGLFramebufferObject;
@@ -59,10 +60,11 @@ public:
   struct View
   {
     DisplayRows CCDC{};
-    bool IsEyeInside = false;         ///< of the cube; if not, closed parts hide their backs
-    std::vector<glm::dvec4> PlanesCC; ///< where any is negative, nothing is drawn
-    glm::dvec4 EyeCC{ 0.0 };          ///< w = 1: the eye; w = 0: the direction of a projection
-    std::size_t Level = 0;            ///< of detail: 0 for all triangles
+    bool IsEyeInside = false;              ///< of the cube; if not, closed parts hide their backs
+    std::vector<glm::dvec4> PlanesCC;      ///< where any is negative, nothing is drawn
+    glm::dvec4 EyeCC{ 0.0 };               ///< w = 1: the eye; w = 0: the direction of a projection
+    std::size_t Level = 0;                 ///< of detail: 0 for all triangles
+    std::shared_ptr<const ShownMaps> Maps; ///< of mapped points; null if there are none
   };
 
   /// Draws a mesh to textures that a target of that size needs. Binds the framebuffer.
@@ -87,10 +89,12 @@ public:
 private:
   void Allocate(vtkOpenGLRenderWindow* window, const LookupTarget& target);
   void AllocateDepths(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
-  /// Uploads the mesh and builds the program, unless they are there.
+  /// Uploads the mesh and its maps, and builds the program, unless they are there.
   void Prepare(vtkOpenGLRenderWindow* window, const std::shared_ptr<const GeometryMesh>& mesh,
-    std::size_t planes);
+    const View& view);
   void Upload(vtkOpenGLRenderWindow* window);
+  /// Uploads what is shown in maps, as far as it differs from earlier ones, if there are any.
+  void UploadMaps(vtkOpenGLRenderWindow* window, const ShownMaps* earlier);
   void Build(vtkOpenGLRenderWindow* window);
   /// Makes the depths those of the framebuffer, and clears them.
   void ClearDepths(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
@@ -99,12 +103,15 @@ private:
   void DrawTriangles(vtkOpenGLState* state, std::size_t level, bool hidesBacks, bool showsBalls);
 
   std::shared_ptr<const GeometryMesh> Mesh; ///< that was uploaded
+  std::shared_ptr<const ShownMaps> Maps;    ///< likewise
   std::array<int, 2> Size{ 0, 0 };
   ColorSteps Steps = ColorSteps::Bytes;
   std::size_t Planes = 0; ///< of the program
   vtkNew<vtkTextureObject> Points;
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;
+  vtkNew<vtkTextureObject> MapColors;
+  vtkNew<vtkOpenGLBufferObject> PlaceBuffer;
   vtkNew<vtkOpenGLBufferObject> PointBuffer;
   vtkNew<vtkOpenGLBufferObject> ColorBuffer;
   vtkNew<vtkOpenGLBufferObject> BackColorBuffer;

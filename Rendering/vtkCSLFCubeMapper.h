@@ -73,10 +73,12 @@ public:
     this->View.ClippingPlanesCC = planesCC;
   }
 
-  /// The field's geometry, or null.
-  void SetGeometry(const std::shared_ptr<const cslf::GeometryMesh>& geometry)
+  /// The field's geometry, or null, and the maps in which its mapped points are shown, if any.
+  void SetGeometry(const std::shared_ptr<const cslf::GeometryMesh>& geometry,
+    const std::shared_ptr<const cslf::ShownMaps>& maps)
   {
     this->View.Geometry = geometry;
+    this->View.Maps = maps;
     this->Texture.SetSurfaces(geometry ? geometry->Cells : nullptr);
   }
 

@@ -9,6 +9,7 @@
 #include "cslfDescription.h"
 #include "cslfFocus.h"
 #include "cslfGeometryMesh.h"
+#include "cslfShownMaps.h"
 #include "vtkCSLFCubeMapper.h"
 #include "vtkCSLFToneMapping.h"
 
@@ -17,8 +18,11 @@
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -51,6 +55,9 @@ public:
   std::shared_ptr<const cslf::GeometryMesh> Geometry; ///< null if there is none
   vtkObject* CheckedGeometry = nullptr;               ///< only compared
   vtkMTimeType CheckedGeometryTime = 0;
+  cslf::MapChooser Chooser;
+  cslf::MapTable OwnTable;
+  bool HasWarnedOfMaps = false;
   bool HasWarnedOfInside = false;
   bool HasReportedDamage = false;
 
@@ -322,6 +329,163 @@ void vtkCSLFMapper::UpdateGeometry()
   {
     vtkWarningMacro("The geometry is not used: " << fault << ".");
   }
+  internals.HasWarnedOfMaps = false;
+}
+
+//------------------------------------------------------------------------------
+// Reads what tells of bounds and scalars before anything is drawn. False without a field.
+bool vtkCSLFMapper::ReadGeometry()
+{
+  const bool isRead = cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); });
+  if (isRead && this->Lookup == GEOMETRY)
+  {
+    this->UpdateGeometry();
+  }
+  return isRead;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::SetScalarRange(double lowest, double highest)
+{
+  if (!this->HasScalarRange)
+  {
+    this->HasScalarRange = true;
+    this->Modified();
+  }
+  this->Superclass::SetScalarRange(lowest, highest);
+}
+
+//------------------------------------------------------------------------------
+double* vtkCSLFMapper::GetScalarRange()
+{
+  if (!this->HasScalarRange)
+  {
+    this->TellScalars();
+  }
+  return this->ScalarRange;
+}
+
+//------------------------------------------------------------------------------
+// Reads the geometry for its scalars.
+void vtkCSLFMapper::TellScalars()
+{
+  const bool isTold = cslf::GuardMethod(this, DrawingError,
+    [this]
+    {
+      if (this->ReadGeometry())
+      {
+        this->UpdateScalarRange();
+      }
+      return true;
+    });
+  if (!isTold)
+  {
+    this->Internals->Store = nullptr; // reported once
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::CreateDefaultLookupTable()
+{
+  this->TellScalars();
+  this->SetLookupTable(this->Internals->OwnTable.Get());
+}
+
+//------------------------------------------------------------------------------
+// The name of the array that is selected, by its name or its number. Empty for all.
+std::string vtkCSLFMapper::GetSelectedArray()
+{
+  const char* name = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME ? this->ArrayName : nullptr;
+  vtkPolyData* geometry = this->GetGeometry();
+  if (this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID && this->ArrayId >= 0 && geometry)
+  {
+    name = geometry->GetPointData()->GetArrayName(this->ArrayId);
+  }
+  return name ? name : "";
+}
+
+//------------------------------------------------------------------------------
+// The table that was set. Null if there is none but the one of the mapper's own.
+vtkScalarsToColors* vtkCSLFMapper::GetUserTable() const
+{
+  const cslf::MapTable& own = this->Internals->OwnTable;
+  const bool isOwn = this->LookupTable == own.Get() && !own.IsChanged();
+  return isOwn ? nullptr : this->LookupTable;
+}
+
+//------------------------------------------------------------------------------
+// What the mapper tells, if nothing else was set: table and range of the first map that is
+// selected.
+void vtkCSLFMapper::UpdateScalarRange()
+{
+  vtkInternals& internals = *this->Internals;
+  if (!internals.Geometry || internals.Geometry->Mapped.IsEmpty())
+  {
+    return;
+  }
+  const cslf::ColorMap& map =
+    cslf::FindMap(internals.Geometry->Mapped.Maps, this->GetSelectedArray());
+  if (!this->HasScalarRange)
+  {
+    std::copy_n(map.Range, 2, this->ScalarRange);
+  }
+  internals.OwnTable.Update(map, this->ScalarRange);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const cslf::ShownMaps> vtkCSLFMapper::ChooseMaps(vtkActor* actor)
+{
+  this->UpdateScalarRange();
+  cslf::MapChoice choice;
+  choice.Array = this->GetSelectedArray();
+  if (this->ScalarVisibility)
+  {
+    choice.Table = this->GetUserTable();
+    choice.TableTime = choice.Table ? choice.Table->GetMTime() : 0;
+    choice.UsesTableRange = this->UseLookupTableScalarRange != 0;
+  }
+  else
+  {
+    const double* color = actor->GetProperty()->GetDiffuseColor();
+    choice.Plain = glm::dvec3(color[0], color[1], color[2]);
+  }
+  if (this->HasScalarRange)
+  {
+    choice.Range = { this->ScalarRange[0], this->ScalarRange[1] };
+  }
+  std::string problem;
+  auto maps = this->Internals->Chooser.Choose(this->Internals->Geometry, choice, problem);
+  this->WarnOfMaps(choice, problem);
+  return maps;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::WarnOfMaps(const cslf::MapChoice& choice, const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    vtkWarningMacro("Scalars keep the colours of the field: " << problem << ".");
+  }
+  vtkInternals& internals = *this->Internals;
+  const bool isAsked = (choice.Table || choice.Range) && !choice.Plain;
+  if (!isAsked || internals.HasWarnedOfMaps)
+  {
+    return;
+  }
+  const bool isShown =
+    this->Lookup == GEOMETRY && internals.Geometry && !internals.Geometry->Mapped.IsEmpty();
+  if (!isShown)
+  {
+    internals.HasWarnedOfMaps = true;
+    vtkWarningMacro("The light field keeps its colours, because no geometry with scalars is drawn: "
+                    "neither a lookup table nor a range of scalars changes them.");
+  }
+  else if (!internals.Geometry->IsAlone)
+  {
+    internals.HasWarnedOfMaps = true;
+    vtkWarningMacro("Only surfaces that the geometry alone shows have the colours of the lookup "
+                    "table. What viewpoints show keeps those of the light field.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -353,18 +517,13 @@ std::shared_ptr<cslf::FieldStore> vtkCSLFMapper::OpenImage(vtkImageData* image)
 double* vtkCSLFMapper::GetBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
-  if (!cslf::GuardMethod(this, ReadingError, [this] { return this->UpdateField(); }))
-  {
-    return this->Bounds;
-  }
   const bool isFound = cslf::GuardMethod(this, DrawingError,
     [this]
     {
-      if (this->Lookup == GEOMETRY)
+      if (this->ReadGeometry())
       {
-        this->UpdateGeometry();
+        this->Internals->FindBounds(this->Lookup == GEOMETRY, this->Bounds);
       }
-      this->Internals->FindBounds(this->Lookup == GEOMETRY, this->Bounds);
       return true;
     });
   if (!isFound)
@@ -425,7 +584,7 @@ void vtkCSLFMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
-  cubeMapper->SetGeometry(internals.Geometry);
+  cubeMapper->SetGeometry(internals.Geometry, this->ChooseMaps(actor));
   cubeMapper->SetPixelSamples(this->PixelSamples);
   cubeMapper->SetDrawSeconds(
     this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
@@ -511,6 +670,12 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetTextureMemoryLimit(other->GetTextureMemoryLimit());
   }
   this->Superclass::ShallowCopy(mapper);
+  if (auto* other = vtkCSLFMapper::SafeDownCast(mapper))
+  {
+    // The superclass copies what getters return, also if nothing was set.
+    this->SetLookupTable(other->GetUserTable());
+    this->HasScalarRange = other->HasScalarRange;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -522,6 +687,7 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
+  os << indent << "HasScalarRange: " << (this->HasScalarRange ? "yes" : "no") << "\n";
   os << indent << "PixelSamples: " << this->PixelSamples << "\n";
   os << indent << "ToneMapping:\n";
   this->ToneMapping->PrintSelf(os, indent.GetNextIndent());

@@ -21,10 +21,12 @@
  * is drawn in the opaque pass, which is faster.
  *
  * The actor's transform (with rotation, and a separate scale along each axis), its opacity and its
- * ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no effect: the
- * light is part of the field, and there are no polygons to show as lines or points. Clipping planes
- * cut the picture: the surface that the lookup finds for a pixel is drawn unless it lies on the
- * negative side of a plane. The field does not know what is behind that surface.
+ * ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no effect,
+ * except for the diffuse colour with ScalarVisibility off: the light is part of the field, and
+ * there are no polygons to show as lines or points. Lookup tables and ranges of scalars apply to
+ * surfaces whose geometry has scalars: see CreateDefaultLookupTable. Clipping planes cut the
+ * picture: the surface that the lookup finds for a pixel is drawn unless it lies on the negative
+ * side of a plane. The field does not know what is behind that surface.
  *
  * Any camera can be used: perspective or parallel projection, stereo, a tile of a large picture, or
  * the camera of a light that casts shadows. A field casts shadows and takes part in ambient
@@ -65,6 +67,7 @@
 #include "vtkSmartPointer.h" // for vtkSmartPointer
 
 #include <memory> // for the internals
+#include <string> // for names
 
 class vtkCSLFCubeMapper;
 class vtkCSLFToneMapping;
@@ -72,6 +75,8 @@ class vtkCSLFToneMapping;
 namespace cslf
 {
 class FieldStore;
+class ShownMaps;
+struct MapChoice;
 }
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
@@ -252,6 +257,54 @@ public:
   vtkPolyData* GetGeometry();
   ///@}
 
+  ///@{
+  /**
+   * The range of scalars over which colours are shown, if the geometry has scalars; see
+   * GetLookupTable. Until it is set, each array has that with which the field was sampled, and the
+   * function returns that of the first array that is selected. With UseLookupTableScalarRange on
+   * and a table that was set, the table's range counts instead. As in VTK's other mappers, it does
+   * not change vtkColorTransferFunction, which has a range of its own. Where it is empty, or not
+   * positive for a logarithmic scale, the mapper warns and keeps the field's colours.
+   */
+  void SetScalarRange(double lowest, double highest) override;
+  using vtkMapper::SetScalarRange;
+  double* GetScalarRange() VTK_SIZEHINT(2) override;
+  VTK_WRAPEXCLUDE
+  void GetScalarRange(double range[2]) override
+  {
+    const double* found = this->GetScalarRange();
+    range[0] = found[0];
+    range[1] = found[1];
+  }
+  ///@}
+
+  /**
+   * Called by GetLookupTable if no table was set, and only then: makes one that maps like the
+   * field, as far as its geometry is known.
+   *
+   * With the lookup GEOMETRY, surfaces whose geometry has scalars and light (point data
+   * `CSLF:ColorMap` and `CSLF:Light`) are shown in any lookup table, as by VTK's other mappers:
+   *
+   *     mapper.SelectColorArray("Speed")  # all arrays, if none is selected, in any ScalarMode
+   *     mapper.SetLookupTable(table)
+   *     mapper.SetScalarRange(0, 20)
+   *
+   * The next picture has the new colours. Nothing is decoded, sampled or built again for it. The
+   * table is not changed. Until one is set, or again after SetLookupTable with null, they have the
+   * colours with which the field was sampled, and GetLookupTable returns a table of them: it
+   * remains the same object, so a vtkScalarBarActor may have it, and changing it counts as setting
+   * it. Tables of categories (IndexedLookup) are refused with a warning, and their opacity is
+   * ignored. With ScalarVisibility off, these surfaces have the diffuse colour of the actor's
+   * property instead. Scalars are always interpolated before they are mapped, whatever
+   * InterpolateScalarsBeforeMapping is.
+   *
+   * Light that was reflected by coloured surfaces onto others keeps the colours with which it was
+   * sampled, and so does all that the geometry alone does not show: reflections, translucent
+   * objects, and surfaces whose `ExactColor` is 0. The mapper warns once for each geometry if a
+   * table or a range is set that does not show, or only in part.
+   */
+  void CreateDefaultLookupTable() override;
+
   using vtkMapper::GetBounds;
   /**
    * The bounds of what is drawn: with the lookup GEOMETRY those of geometry that has all surfaces,
@@ -302,6 +355,13 @@ private:
 
   bool UpdateField();
   void UpdateGeometry();
+  bool ReadGeometry();
+  void TellScalars();
+  std::string GetSelectedArray();
+  vtkScalarsToColors* GetUserTable() const;
+  void UpdateScalarRange();
+  std::shared_ptr<const cslf::ShownMaps> ChooseMaps(vtkActor* actor);
+  void WarnOfMaps(const cslf::MapChoice& choice, const std::string& problem);
   void Draw(vtkRenderer* renderer, vtkActor* actor);
   std::shared_ptr<cslf::FieldStore> OpenImage(vtkImageData* image);
   void ReportDamage(int damaged, int undamaged);
@@ -315,6 +375,7 @@ private:
   vtkSmartPointer<vtkCSLFToneMapping> ToneMapping;
   bool Streaming = false;
   vtkTypeInt64 TextureMemoryLimit;
+  bool HasScalarRange = false;    // that was set
   bool HasTranslucentPart = true; // after the opaque pass that was drawn last
 
   class vtkInternals;

@@ -287,7 +287,7 @@ class Maps:
         codes = self.codes[numpy.minimum(lights, self.light_steps).astype(int)]
         light = to_linear((shares[..., None] * codes).sum(axis=1))
         columns = numpy.floor((shares * self.columns[corners]).sum(axis=1)).astype(int)
-        is_none = (shares * self.is_none[corners]).sum(axis=1) > 0.5
+        is_none = (shares * self.is_none[corners]).sum(axis=1) > 0.02
         base = numpy.zeros_like(light)
         for number, colors in enumerate(self.colors, 1):
             own = self.numbers[corners[:, 0]] == number

@@ -46,6 +46,9 @@ constexpr int SteepnessWindows = 128;
 /// Places that are so near to the beginning of a step are there.
 constexpr double SnapDistance = 1e-7;
 
+/// What rounding to floats may add to a scalar, as a share of it.
+constexpr double FloatStep = 0x1p-24;
+
 /// Far outside of the range, a place must remain a number that floats can interpolate.
 constexpr double MaximumColumn = 1e6;
 
@@ -156,12 +159,13 @@ glm::dvec2 ColorMap::GetPlace(double value) const
   const double first = ToScale(this->Range[0], this->IsLogarithmic);
   const double last = ToScale(this->Range[1], this->IsLogarithmic);
   double column = 1.0 + steps * (ToScale(value, this->IsLogarithmic) - first) / (last - first);
-  if (value >= this->Range[0] && value <= this->Range[1])
+  const double rounding = FloatStep * std::max(std::abs(this->Range[0]), std::abs(this->Range[1]));
+  if (value >= this->Range[0] - rounding && value <= this->Range[1] + rounding)
   {
     const double inset = Inset * (steps + 2);
     column = std::clamp(column, 1.0 + inset, 1.0 + steps - inset);
   }
-  // SnapDistance must not take a value from one step to the next.
+  // Rounding must not take a value from one step to the next.
   const double whole = std::round(column);
   column = std::abs(column - whole) < SnapDistance ? whole : column;
   return { std::clamp(column, -MaximumColumn, MaximumColumn), 0.0 };
@@ -202,13 +206,14 @@ glm::vec3 ColorMap::GetColor(const glm::dvec2& place) const
 {
   const auto last = static_cast<double>(this->Colors.size() - 1);
   const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0, last));
-  const Pixel& color = place.y > 0.5 ? this->NanColor : this->Colors[column];
+  const Pixel& color = place.y > NanShare ? this->NanColor : this->Colors[column];
   return SRGBToLinear(glm::dvec3(color[0], color[1], color[2]) / 255.0);
 }
 
 ColorMap MakeColorMap(vtkScalarsToColors* table)
 {
   ColorMap map;
+  table->Build();
   std::copy_n(table->GetRange(), 2, map.Range);
   map.IsLogarithmic = table->UsingLogScale() != 0;
   if (table->GetIndexedLookup() || !IsValid(map.Range, map.IsLogarithmic))
@@ -252,7 +257,7 @@ std::string NameComponent(vtkDataArray* array, int component)
   return name ? name : std::to_string(component);
 }
 
-vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
+void UpdateLookupTable(const ColorMap& map, vtkLookupTable* table)
 {
   const auto set = [](const ColorMap::Pixel& color, double value[4])
   {
@@ -261,7 +266,6 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
       value[c] = color[c] / 255.0;
     }
   };
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(map.GetSteps());
   double value[4];
   for (int i = 0; i < map.GetSteps(); ++i)
@@ -269,8 +273,9 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
     set(map.Colors[i + 1], value);
     table->SetTableValue(i, value);
   }
-  map.IsLogarithmic ? table->SetScaleToLog10() : table->SetScaleToLinear();
+  table->SetScaleToLinear(); // allows all ranges
   table->SetTableRange(map.Range[0], map.Range[1]);
+  map.IsLogarithmic ? table->SetScaleToLog10() : table->SetScaleToLinear();
   set(map.Colors.front(), value);
   table->SetBelowRangeColor(value);
   table->UseBelowRangeColorOn();
@@ -279,6 +284,12 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
   table->UseAboveRangeColorOn();
   set(map.NanColor, value);
   table->SetNanColor(value);
+}
+
+vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
+{
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  UpdateLookupTable(map, table);
   return table;
 }
 

@@ -46,6 +46,10 @@ struct VTKCSLF_EXPORT ColorMap
   /// Array and component, as the name of an array.
   std::string GetScalarName() const;
 
+  /// Between a value and what is not a number, there is no number from this share of the way on: as
+  /// with VTK's mappers, whose texture coordinates 0.49 and 1 mean these, and 0.5 no number.
+  static constexpr double NanShare = 0.02;
+
   /// A place on the map, which is interpolated linearly: first the column, from 1 at the beginning
   /// of the range to 1 + steps at its end, then 0, or 1 for values that are not numbers.
   glm::dvec2 GetPlace(double value) const;
@@ -69,8 +73,11 @@ VTKCSLF_EXPORT ColorMap MakeColorMap(vtkScalarsToColors* table);
 /// one component.
 std::string VTKCSLF_EXPORT NameComponent(vtkDataArray* array, int component);
 
-/// A lookup table that maps like a map.
-vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map);
+///@{
+/// A lookup table that maps like a map: a new one, or one that was made so before.
+VTKCSLF_EXPORT vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map);
+void UpdateLookupTable(const ColorMap& map, vtkLookupTable* table);
+///@}
 
 ///@{
 /// Says as JSON what maps are, without their colours, and the opposite, which throws

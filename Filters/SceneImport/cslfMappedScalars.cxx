@@ -3,6 +3,7 @@
 #include "cslfMappedScalars.h"
 
 #include "Pipeline/cslfColorMap.h"
+#include "Pipeline/cslfTableCopy.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "SceneData/cslfTextureImage.h"
 #include "cslfImportedScene.h"
@@ -11,7 +12,6 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkDiscretizableColorTransferFunction.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
@@ -57,82 +57,6 @@ vtkSmartPointer<vtkUnsignedCharArray> Spread(
     spread->SetTuple(i, tuple, colors);
   }
   return spread;
-}
-
-/// Copies what vtkLookupTable::DeepCopy leaves out, and copies the colours, so that they are not
-/// built again from ranges of hues.
-void CopyRest(vtkLookupTable* table, vtkLookupTable* copy)
-{
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->DeepCopy(table->GetTable());
-  copy->SetTable(colors);
-  copy->SetNanColor(table->GetNanColor());
-  copy->SetBelowRangeColor(table->GetBelowRangeColor());
-  copy->SetUseBelowRangeColor(table->GetUseBelowRangeColor());
-  copy->SetAboveRangeColor(table->GetAboveRangeColor());
-  copy->SetUseAboveRangeColor(table->GetUseAboveRangeColor());
-}
-
-void CopyRest(
-  vtkDiscretizableColorTransferFunction* function, vtkDiscretizableColorTransferFunction* copy)
-{
-  copy->SetDiscretize(function->GetDiscretize());
-  copy->SetNumberOfValues(function->GetNumberOfValues());
-  copy->SetUseLogScale(function->GetUseLogScale());
-  copy->SetEnableOpacityMapping(function->GetEnableOpacityMapping());
-  copy->SetScalarOpacityFunction(function->GetScalarOpacityFunction());
-  copy->SetNumberOfIndexedColors(function->GetNumberOfIndexedColors());
-  for (unsigned int i = 0; i < function->GetNumberOfIndexedColors(); ++i)
-  {
-    double color[4];
-    function->GetIndexedColor(i, color);
-    copy->SetIndexedColorRGBA(i, color);
-  }
-}
-
-/// Copies what vtkColorTransferFunction::DeepCopy leaves out.
-void CopyRest(vtkColorTransferFunction* function, vtkColorTransferFunction* copy)
-{
-  copy->SetNanColor(function->GetNanColor());
-  copy->SetNanOpacity(function->GetNanOpacity());
-  copy->SetBelowRangeColor(function->GetBelowRangeColor());
-  copy->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
-  copy->SetAboveRangeColor(function->GetAboveRangeColor());
-  copy->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
-  if (auto* steps = vtkDiscretizableColorTransferFunction::SafeDownCast(function))
-  {
-    CopyRest(steps, vtkDiscretizableColorTransferFunction::SafeDownCast(copy));
-  }
-}
-
-/// A new table of a class that maps like the table's. ParaView's subclass builds its categories
-/// from a set that only it has, and would lose them.
-vtkSmartPointer<vtkScalarsToColors> MakeTableLike(vtkScalarsToColors* table)
-{
-  if (table->IsA("vtkDiscretizableColorTransferFunction"))
-  {
-    return vtkSmartPointer<vtkDiscretizableColorTransferFunction>::New();
-  }
-  return vtk::TakeSmartPointer(table->NewInstance());
-}
-
-/// A copy of a table that maps identically. A mapper sets the range and alpha of its table, but the
-/// user's table must not change.
-vtkSmartPointer<vtkScalarsToColors> CopyTable(vtkScalarsToColors* table)
-{
-  table->Build();
-  const vtkSmartPointer<vtkScalarsToColors> copy = MakeTableLike(table);
-  copy->DeepCopy(table);
-  if (auto* colors = vtkLookupTable::SafeDownCast(table))
-  {
-    CopyRest(colors, vtkLookupTable::SafeDownCast(copy));
-  }
-  if (auto* function = vtkColorTransferFunction::SafeDownCast(table))
-  {
-    CopyRest(function, vtkColorTransferFunction::SafeDownCast(copy));
-  }
-  copy->Build();
-  return copy;
 }
 
 /// Replaces an array, which may be the scalars, by one of the same name.

@@ -9,6 +9,8 @@
 //   BACK_COLORS      its back has other colours
 //   BRIGHT           some colours are above 1
 //   CLIPPING_PLANES  how many planes cut it
+//   COLOR_MAPS       some points have light instead of a colour, and a place on a map
+//   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //CSLF::Options::Dec
 
 //VTK::Output::Dec
@@ -26,6 +28,29 @@ uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // visible parts lie where they 
 #endif
 
 //CSLF::Normals::Dec
+
+#ifdef COLOR_MAPS
+in vec2 placeVSOutput;     // the column, and 1 for values that are not numbers
+flat in float mapVSOutput; // negative without one
+uniform sampler2D MapColors;
+
+//CSLF::Encoding::Dec
+
+const float NanShare = 0.02; // ColorMap::NanShare
+
+// ShowLight of cslfColorMap.h, also brighter than white.
+vec3 ShowLight(vec3 light)
+{
+  int column = clamp(int(placeVSOutput.x), 0, textureSize(MapColors, 0).x - 1);
+  int row = 2 * int(mapVSOutput) + (placeVSOutput.y > NanShare ? 1 : 0);
+  vec3 linear = RayToLinear(light) * texelFetch(MapColors, ivec2(column, row), 0).rgb;
+#ifdef LINEAR_COLOR
+  return linear;
+#else
+  return RayFromLinear(linear);
+#endif
+}
+#endif
 
 #ifdef BRIGHT
 const float BrightOffset = 5e-6; // of the depth buffer's range: some 80 of its steps
@@ -45,6 +70,12 @@ void main()
   vec4 color = colorVSOutput;
 #ifdef BACK_COLORS
   color = gl_FrontFacing == (IsMirrored == 0) ? colorVSOutput : backColorVSOutput;
+#endif
+#ifdef COLOR_MAPS
+  if (mapVSOutput >= 0.0)
+  {
+    color.rgb = color.a * ShowLight(color.rgb);
+  }
 #endif
 #ifdef ALONE
   gl_FragData[0] = vec4(color.rgb, 1.0);

@@ -5,6 +5,7 @@
 
 // Options:
 //   BACK_COLORS  its back has other colours
+//   COLOR_MAPS   some points have light instead of a colour, and a place on a map
 //CSLF::Options::Dec
 
 in vec3 vertexCC;
@@ -12,6 +13,11 @@ in vec4 vertexColor;
 #ifdef BACK_COLORS
 in vec4 vertexBackColor;
 out vec4 backColorVSOutput;
+#endif
+#ifdef COLOR_MAPS
+in vec2 vertexPlace; // ShownMaps::ListPlaces
+out vec2 placeVSOutput;
+flat out float mapVSOutput; // its number; negative without one
 #endif
 out vec3 pointCCVSOutput;
 out vec4 colorVSOutput;
@@ -24,6 +30,10 @@ void main()
   colorVSOutput = vertexColor;
 #ifdef BACK_COLORS
   backColorVSOutput = vertexBackColor;
+#endif
+#ifdef COLOR_MAPS
+  mapVSOutput = floor(0.5 * vertexPlace.y);
+  placeVSOutput = vec2(vertexPlace.x, vertexPlace.y - 2.0 * mapVSOutput);
 #endif
   gl_Position = CCDCMatrix * vec4(vertexCC, 1.0);
 }

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The maps in which the mapped points of a geometry are shown: its own, or those that a mapper's
+ * user asks for.
+ */
+#ifndef cslfShownMaps_h
+#define cslfShownMaps_h
+
+#include "Pipeline/cslfColorMap.h"
+
+#include <vtkLookupTable.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkScalarsToColors;
+
+namespace cslf
+{
+struct GeometryMesh;
+
+/// Maps, with their colours as an image. Never changes: others have another address.
+class ShownMaps
+{
+public:
+  explicit ShownMaps(std::vector<ColorMap> maps);
+
+  const std::vector<ColorMap>& GetMaps() const { return this->Maps; }
+
+  /// Whether points have the same places on both.
+  bool HasPlacesOf(const ShownMaps& other) const;
+
+  /// The place of a point on its map; none without a map.
+  glm::vec2 GetPlace(const MappedPoints& points, std::size_t point) const;
+
+  /// Of each point: the column on its map, and twice the number of the map, from 0, plus 1 for
+  /// values that are not numbers. -1 in place of the latter for points without a map.
+  std::vector<glm::vec2> ListPlaces(const MappedPoints& points) const;
+
+  ///@{
+  /// Linear colours: of each map a row of its columns, and one of what is not a number. Rows are
+  /// filled up with their last colour.
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return 2 * static_cast<int>(this->Maps.size()); }
+  const std::vector<glm::vec4>& GetImage() const { return this->Image; }
+  ///@}
+
+  /// The colour at a place of a map, as ColorMap::GetColor.
+  const glm::vec4& GetColor(std::size_t map, const glm::vec2& place) const;
+
+private:
+  std::vector<ColorMap> Maps;
+  int Width = 1;
+  std::vector<glm::vec4> Image;
+};
+
+/// What a mapper's user asks for.
+struct MapChoice
+{
+  vtkScalarsToColors* Table = nullptr;        ///< instead of the maps' colours
+  vtkMTimeType TableTime = 0;                 ///< when it was changed last
+  bool UsesTableRange = false;                ///< if there is one
+  std::optional<std::array<double, 2>> Range; ///< otherwise, instead of the maps' own
+  std::string Array;                          ///< of the maps that are meant; empty for all
+  std::optional<glm::dvec3> Plain;            ///< a colour, sRGB-encoded, instead of all maps
+
+  bool operator==(const MapChoice& other) const;
+
+  bool Selects(const ColorMap& map) const;
+};
+
+/// The first map of an array, or of all if there is none. There must be any.
+const ColorMap& FindMap(const std::vector<ColorMap>& maps, const std::string& array);
+
+/// A lookup table that maps like a map, unless somebody else changes it.
+class MapTable
+{
+public:
+  MapTable();
+
+  vtkLookupTable* Get() const { return this->Table; }
+
+  /// Whether somebody else has changed it.
+  bool IsChanged() const;
+
+  /// Makes it that of a map over another range, if this can be, unless it is changed.
+  void Update(const ColorMap& map, const double range[2]);
+
+private:
+  vtkSmartPointer<vtkLookupTable> Table;
+  vtkMTimeType Time = 0; ///< when it was made
+  ColorMap Map;
+};
+
+/// Applies choices to the maps of a geometry. Keeps what it has made, because actors that share a
+/// mapper may choose in turn.
+class MapChooser
+{
+public:
+  /// Null without geometry or mapped points. The same object for the same choice. `problem` says
+  /// why something that was chosen for the first time is not shown; otherwise it is not changed.
+  std::shared_ptr<const ShownMaps> Choose(const std::shared_ptr<const GeometryMesh>& geometry,
+    const MapChoice& choice, std::string& problem);
+
+private:
+  std::shared_ptr<const GeometryMesh> Geometry;
+  std::vector<std::pair<MapChoice, std::shared_ptr<const ShownMaps>>> Made;
+};
+}
+
+#endif
