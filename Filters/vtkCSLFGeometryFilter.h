@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * The most triangles of the geometry: from 0, which makes none, to 100000000. Default: 200000.
+   * The most triangles of the geometry: from 0, which makes none, to 100000000. Default: 1000000.
    */
   void SetGeometryTriangles(int triangles);
   vtkGetMacro(GeometryTriangles, int);

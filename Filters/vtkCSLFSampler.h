@@ -160,7 +160,7 @@ public:
    * by less than a tenth of a texel, but none has edges of more than 32 texels if they suffice.
    * Small spheres, sticks and instances may have five times as many, because files store one of
    * them and where the others are. 0 means no geometry: the port's output is empty. Default:
-   * 200000.
+   * 1000000.
    */
   void SetGeometryTriangles(int triangles);
   vtkGetMacro(GeometryTriangles, int);

@@ -379,6 +379,51 @@ void ColorFit::LimitEdges(std::vector<std::uint64_t>& edges) const
   edges.resize(kept);
 }
 
+// Moves the middles of edges onto the surface, unless these are edges of several bodies, or
+// creases.
+void ColorFit::ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned int>& middles)
+{
+  if (!this->Settings.Project)
+  {
+    return;
+  }
+  struct Around
+  {
+    glm::vec3 Normal{ 0.0f };
+    std::uint32_t Body = TriangleSamples::None;
+    int Triangles = 0;
+    bool IsSmooth = true;
+  };
+  std::unordered_map<unsigned int, Around> around;
+  for (std::size_t i = 0; i < this->Surface.Triangles.size(); ++i)
+  {
+    const glm::uvec3& corners = this->Surface.Triangles[i];
+    const TriangleSamples& samples = this->Samples[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto found = middles.find(EdgeOf(corners[k], corners[(k + 1) % 3]));
+      if (found != middles.end())
+      {
+        Around& own = around[found->second];
+        own.IsSmooth = own.IsSmooth && samples.Body != TriangleSamples::None &&
+          (own.Triangles == 0 ||
+            (own.Body == samples.Body && glm::dot(own.Normal, samples.Normal) > CreaseCosine));
+        own.Normal += samples.Normal;
+        own.Body = samples.Body;
+        ++own.Triangles;
+      }
+    }
+  }
+  for (const auto& [point, own] : around)
+  {
+    if (own.IsSmooth && own.Triangles == 2)
+    {
+      glm::vec3& place = this->Surface.Points[point];
+      place = this->Settings.Project(place, glm::normalize(own.Normal), own.Body);
+    }
+  }
+}
+
 bool ColorFit::Refine()
 {
   if (this->Settings.KeepsMesh)
@@ -397,6 +442,7 @@ bool ColorFit::Refine()
   {
     return false;
   }
+  this->ProjectMiddles(middles);
   std::vector<glm::uvec3> triangles;
   std::vector<TriangleSamples> samples;
   std::vector<char> areNew;

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace cslf
@@ -140,6 +141,11 @@ struct ColorFitSettings
   /// The same for what best fits its detail: the colours may be better known than their light.
   double DetailTolerance = 0.0;
   std::size_t MaximumTriangles = 0;
+
+  /// Moves a point of a surface that it belongs to onto that. Given its normal and what it belongs
+  /// to; may be empty.
+  std::function<glm::vec3(const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)>
+    Project;
 };
 
 /**
@@ -195,6 +201,7 @@ private:
   std::vector<std::uint8_t> FindMaps() const;
   std::vector<std::uint64_t> ChooseEdges() const;
   void LimitEdges(std::vector<std::uint64_t>& edges) const;
+  void ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned int>& middles);
   double FindError(std::size_t triangle, int side) const;
   double FindPlaceError(std::size_t triangle) const;
   bool HasDetail(std::size_t triangle, double tolerances) const;

@@ -96,6 +96,10 @@ void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most)
 /// How far the surface may move, in texels at the cube's centre.
 constexpr double MaximumTexels = 0.1;
 
+/// Triangles are divided where light or colours vary until there are so many, or not at all if
+/// there are more already.
+constexpr std::size_t MaximumLitTriangles = 200000;
+
 /// The share of the surface that may be lost where it moves so little: bodies can be thinner than
 /// that. If more is lost, the surface may move a fraction of it, and then of that, and so on.
 constexpr double MaximumLoss = 0.002;
@@ -229,9 +233,9 @@ void Stretch(const glm::vec3& factors, std::vector<glm::vec3>& points)
   }
 }
 
-/// Removes triangles where that moves the surface by much less than a texel. Points of the scene's
-/// surface must then be at most `most` from it (root mean square), and nearly none lost; otherwise
-/// fewer triangles are removed, or none. Distances are measured after stretching.
+/// Removes triangles where that moves the surface by much less than a texel. Points of the
+/// scene's surface must then be at most `most` from it (root mean square), and nearly none lost;
+/// otherwise fewer triangles are removed, or none. Distances are measured after stretching.
 void SimplifyWell(SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points,
   double texel, double most, const Progress& progress)
 {
@@ -504,7 +508,8 @@ try
   lighting.ClampsColors = settings.ClampsColors;
   lighting.HasCreases = !geometry.IsReduced;
   lighting.Tolerance = settings.Tolerance;
-  lighting.MaximumTriangles = settings.MaximumTriangles;
+  lighting.MaximumTriangles = std::min(
+    settings.MaximumTriangles, std::max(MaximumLitTriangles, geometry.Surface.Triangles.size()));
   geometry.Colors = FitLight(
     scene, settings.Light, lighting, Within(progress, SortedShare, LitShare), geometry.Surface);
   if (!groups.Groups.empty())

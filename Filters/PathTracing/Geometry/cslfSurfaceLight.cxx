@@ -45,11 +45,17 @@ constexpr float HiddenWeight = 1e-3f;
 /// The largest tolerance of colours whose light is rough.
 constexpr double DetailTolerance = 1.0 / 128.0;
 
+/// The RMS error of colours, from 0 to 1, that places on maps may cause.
+constexpr double PlaceTolerance = 1.0 / 256.0;
+
 /// The largest error of places on maps, as a share of the range.
 constexpr double MaximumPlaceError = 0.005;
 
 /// More maps tell no colours: files number them by a byte.
 constexpr std::size_t MaximumMaps = 254;
+
+/// How far points that divide edges may move to lie on the surface, in texels.
+constexpr float MaximumShift = 0.25f;
 
 /// How often triangles are divided, and the shortest edge that is divided, in texels.
 constexpr int MaximumRounds = 12;
@@ -137,6 +143,25 @@ bool IsSeen(const Scene& scene, const Ray& aim)
   return false;
 }
 
+/// Moves a point along its normal onto a mesh of the scene, if that is not further away than that.
+glm::vec3 ProjectOnto(const Scene& scene, const glm::vec3& point, const glm::vec3& normal,
+  float furthest, std::uint32_t mesh)
+{
+  glm::vec3 nearest = point;
+  float least = furthest;
+  for (const float side : { 1.0f, -1.0f })
+  {
+    const Ray ray{ point + side * furthest * normal, -side * normal };
+    const Hit hit = scene.Intersect(ray);
+    if (hit.IsValid() && hit.Mesh == mesh && std::abs(hit.Distance - furthest) < least)
+    {
+      least = std::abs(hit.Distance - furthest);
+      nearest = ray.Origin + hit.Distance * ray.Direction;
+    }
+  }
+  return nearest;
+}
+
 /// The maps that tell the colours of a scene's meshes, each once.
 struct SceneMaps
 {
@@ -166,7 +191,7 @@ SceneMaps FindMaps(const Scene& scene)
       found->second = static_cast<std::uint8_t>(result.Maps.size());
       const double steepness = std::max(map->GetSteepness(), 1e-9);
       result.Tolerances.push_back(static_cast<float>(
-        std::min(DetailTolerance / steepness, MaximumPlaceError * map->GetSteps())));
+        std::min(PlaceTolerance / steepness, MaximumPlaceError * map->GetSteps())));
     }
     result.Numbers.back() = found->second;
   }
@@ -433,10 +458,12 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
     maps = FindMaps(scene);
   }
   const LightSampler sampler(scene, light, settings, maps);
+  const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)
+  { return ProjectOnto(scene, point, normal, MaximumShift * settings.Texel, body); };
   ColorFit fit(mesh,
     { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
       settings.KeepsMesh, settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
-      settings.MaximumTriangles });
+      settings.MaximumTriangles, project });
   const auto sample = [&](const Progress& part)
   {
     const std::vector<std::size_t> triangles = fit.ListNew();
