@@ -100,34 +100,6 @@ vtkDataArray* FindArray(vtkPolyData* geometry, const std::string& name, int comp
   return fits ? array : nullptr;
 }
 
-/// The maps in the field data. None if they do not fit.
-std::vector<ColorMap> FindMaps(vtkPolyData* geometry)
-{
-  vtkFieldData* fields = geometry->GetFieldData();
-  auto* texts = vtkStringArray::SafeDownCast(fields->GetAbstractArray(ColorMapsName));
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray(ColorMapColorsName));
-  std::vector<ColorMap> maps;
-  if (!texts || !colors || colors->GetNumberOfComponents() != 4)
-  {
-    return maps;
-  }
-  vtkIdType next = 0;
-  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
-  {
-    ColorMap map = ReadColorMap(texts->GetValue(i));
-    if (next + static_cast<vtkIdType>(map.Colors.size()) >= colors->GetNumberOfTuples())
-    {
-      return {};
-    }
-    for (ColorMap::Pixel& color : map.Colors)
-    {
-      color = ToPixel(colors->GetPointer(4 * next++));
-    }
-    map.NanColor = ToPixel(colors->GetPointer(4 * next++));
-    maps.push_back(std::move(map));
-  }
-  return maps;
-}
 }
 
 bool ColorMap::IsOpaque() const
@@ -344,21 +316,14 @@ glm::dvec3 ShowPlace(const MappedPoints& points, int side,
   return ShowLight(light, points.GetMap(corners[0]), place);
 }
 
-void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
+void AddColorMaps(const std::vector<ColorMap>& maps, vtkDataObject* data)
 {
-  if (points.IsEmpty())
-  {
-    return;
-  }
-  const auto count = static_cast<vtkIdType>(points.Numbers.size());
   vtkNew<vtkStringArray> texts;
   texts->SetName(ColorMapsName);
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName(ColorMapColorsName);
   colors->SetNumberOfComponents(4);
-  // Floats would be rounded to values outside of the range.
-  std::map<std::string, vtkSmartPointer<vtkDoubleArray>> scalars;
-  for (const ColorMap& map : points.Maps)
+  for (const ColorMap& map : maps)
   {
     texts->InsertNextValue(DescribeColorMap(map));
     for (const ColorMap::Pixel& color : map.Colors)
@@ -366,6 +331,56 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
       colors->InsertNextTypedTuple(color.data());
     }
     colors->InsertNextTypedTuple(map.NanColor.data());
+  }
+  data->GetFieldData()->AddArray(texts);
+  data->GetFieldData()->AddArray(colors);
+}
+
+std::vector<ColorMap> FindColorMaps(vtkDataObject* data)
+try
+{
+  vtkFieldData* fields = data->GetFieldData();
+  auto* texts = vtkStringArray::SafeDownCast(fields->GetAbstractArray(ColorMapsName));
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray(ColorMapColorsName));
+  std::vector<ColorMap> maps;
+  if (!texts || !colors || colors->GetNumberOfComponents() != 4)
+  {
+    return maps;
+  }
+  vtkIdType next = 0;
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+  {
+    ColorMap map = ReadColorMap(texts->GetValue(i));
+    if (next + static_cast<vtkIdType>(map.Colors.size()) >= colors->GetNumberOfTuples())
+    {
+      return {};
+    }
+    for (ColorMap::Pixel& color : map.Colors)
+    {
+      color = ToPixel(colors->GetPointer(4 * next++));
+    }
+    map.NanColor = ToPixel(colors->GetPointer(4 * next++));
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+catch (const std::exception&)
+{
+  return {};
+}
+
+void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
+{
+  if (points.IsEmpty())
+  {
+    return;
+  }
+  const auto count = static_cast<vtkIdType>(points.Numbers.size());
+  AddColorMaps(points.Maps, geometry);
+  // Floats would be rounded to values outside of the range.
+  std::map<std::string, vtkSmartPointer<vtkDoubleArray>> scalars;
+  for (const ColorMap& map : points.Maps)
+  {
     vtkSmartPointer<vtkDoubleArray>& array = scalars[map.GetScalarName()];
     if (!array)
     {
@@ -388,8 +403,6 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
       scalars[points.GetMap(point).GetScalarName()]->SetValue(i, points.Scalars[point]);
     }
   }
-  geometry->GetFieldData()->AddArray(texts);
-  geometry->GetFieldData()->AddArray(colors);
   vtkPointData* data = geometry->GetPointData();
   data->AddArray(numbers);
   data->AddArray(MakeLight(LightName, points.Light[0]));
@@ -413,7 +426,7 @@ try
   {
     return points;
   }
-  points.Maps = FindMaps(geometry);
+  points.Maps = FindColorMaps(geometry);
   std::vector<vtkDataArray*> scalars;
   for (const ColorMap& map : points.Maps)
   {

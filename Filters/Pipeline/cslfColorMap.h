@@ -21,6 +21,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkLookupTable;
 class vtkPolyData;
 class vtkScalarsToColors;
@@ -84,6 +85,13 @@ void UpdateLookupTable(const ColorMap& map, vtkLookupTable* table);
 /// std::exception.
 std::string VTKCSLF_EXPORT DescribeColorMap(const ColorMap& map);
 ColorMap VTKCSLF_EXPORT ReadColorMap(const std::string& text);
+///@}
+
+///@{
+/// Gives data maps with their colours, as field data, and reads them. None if it has none, or if
+/// they do not fit.
+void VTKCSLF_EXPORT AddColorMaps(const std::vector<ColorMap>& maps, vtkDataObject* data);
+std::vector<ColorMap> VTKCSLF_EXPORT FindColorMaps(vtkDataObject* data);
 ///@}
 
 /// The points of a geometry whose colours a map tells: see ColorMapName in cslfGeometryArrays.h.

@@ -39,8 +39,8 @@ constexpr const char* ExactColorName = "ExactColor";
 /// 1 and 8 for each doubling, rounded. Of a surface that is brighter by this factor, at least 1.
 unsigned char VTKCSLF_EXPORT ToExactCode(double brightness);
 
-/// Point data, an unsigned character: 0, or the number, from 1, of the map by which scalars give the
-/// surface around the point its colours. See cslfColorMap.h.
+/// Point data, an unsigned character: 0, or the number, from 1, of the map by which scalars give
+/// the surface around the point its colours. See cslfColorMap.h.
 constexpr const char* ColorMapName = "CSLF:ColorMap";
 
 ///@{
@@ -58,6 +58,10 @@ constexpr const char* BackLightName = "CSLF:BackLight";
 constexpr const char* ColorMapsName = "CSLF:ColorMaps";
 constexpr const char* ColorMapColorsName = "CSLF:ColorMapColors";
 ///@}
+
+/// Point data of a block of a scene: the scalars that its map, in the field data above, gave their
+/// colours.
+constexpr const char* MapScalarName = "CSLF:MapScalar";
 
 /// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
 /// from the geometry, without those that it lost.

@@ -79,6 +79,7 @@ void vtkCSLFInstances::RemoveInstances(vtkDataObject* data)
     data->GetFieldData()->RemoveArray(InstanceMatrix());
     data->GetFieldData()->RemoveArray(InstanceColor());
     data->GetFieldData()->RemoveArray(InstanceEmission());
+    data->GetFieldData()->RemoveArray(InstanceScalar());
   }
 }
 

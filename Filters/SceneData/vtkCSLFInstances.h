@@ -14,6 +14,9 @@
  * the opacity, which multiplies that of the material.
  * - `CSLF:InstanceEmission`: 3 components, optional. The emission, linear radiance, which replaces
  * that of the material.
+ * - `CSLF:InstanceScalar`: 1 component, optional. The scalar to which a map gave the colour; the
+ * map is in the field data `CSLF:ColorMaps` and `CSLF:ColorMapColors`. Fields keep it, so that they
+ * can be shown in other colours.
  *
  * Instances that are flat are invisible.
  *
@@ -41,6 +44,7 @@ public:
    */
   static const char* InstanceMatrix() { return "CSLF:InstanceMatrix"; }
   static const char* InstanceColor() { return "CSLF:InstanceColor"; }
+  static const char* InstanceScalar() { return "CSLF:InstanceScalar"; }
   static const char* InstanceEmission() { return "CSLF:InstanceEmission"; }
   ///@}
 

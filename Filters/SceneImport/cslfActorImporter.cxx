@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorImporter.h"
 
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfValidPolyData.h"
@@ -430,6 +431,11 @@ private:
     if (mapped.Colors)
     {
       mapped.Colors->SetName("Colors");
+      if (mapped.Scalars)
+      {
+        block->GetPointData()->AddArray(mapped.Scalars);
+        AddColorMaps({ mapped.ColorsOfScalars }, block);
+      }
       vtkDataSetAttributes* attributes = block->GetPointData();
       if (mapped.OfCells)
       {

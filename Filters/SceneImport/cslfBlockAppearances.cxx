@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBlockAppearances.h"
 
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "Pipeline/cslfValidPolyData.h"
@@ -206,6 +207,7 @@ public:
     this->FinishColors(this->Data->GetPointData());
     this->FinishColors(this->Data->GetCellData());
     this->FinishInstances();
+    this->FinishMap();
   }
 
 private:
@@ -432,6 +434,17 @@ private:
         this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFInstances::InstanceEmission()));
     }
     fields->AddArray(this->FinishLevels(colors));
+  }
+
+  /// The map of the colours above.
+  void FinishMap()
+  {
+    vtkFieldData* fields = this->Data->GetFieldData();
+    auto* colors = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(ColorMapColorsName));
+    if (colors && colors->GetNumberOfComponents() == 4)
+    {
+      fields->AddArray(this->FinishLevels(colors));
+    }
   }
 
   vtkPolyData* Data;

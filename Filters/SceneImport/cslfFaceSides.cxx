@@ -25,7 +25,8 @@ struct PlacedBlock
 };
 
 const char* const InstanceNames[] = { vtkCSLFInstances::InstanceMatrix(),
-  vtkCSLFInstances::InstanceColor(), vtkCSLFInstances::InstanceEmission() };
+  vtkCSLFInstances::InstanceColor(), vtkCSLFInstances::InstanceEmission(),
+  vtkCSLFInstances::InstanceScalar() };
 
 vtkSmartPointer<vtkPolyData> CopyWithOwnFields(vtkPolyData* block)
 {

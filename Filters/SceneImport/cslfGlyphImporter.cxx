@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGlyphImporter.h"
 
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfValidPolyData.h"
 #include "cslfCellKinds.h"
 #include "cslfMappedScalars.h"
@@ -15,6 +16,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkInformation.h>
@@ -223,6 +225,23 @@ vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scen
   return copy;
 }
 
+/// Adds the scalar of an instance, and the map that all have.
+void AddScalar(double scalar, const ColorMap& map, vtkPolyData* source)
+{
+  vtkFieldData* fields = source->GetFieldData();
+  auto* scalars =
+    vtkDoubleArray::SafeDownCast(fields->GetArray(vtkCSLFInstances::InstanceScalar()));
+  if (!scalars)
+  {
+    vtkNew<vtkDoubleArray> made;
+    made->SetName(vtkCSLFInstances::InstanceScalar());
+    fields->AddArray(made);
+    AddColorMaps({ map }, source);
+    scalars = made;
+  }
+  scalars->InsertNextValue(scalar);
+}
+
 void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
   std::vector<vtkSmartPointer<vtkPolyData>>& sources, ImportedScene& scene)
 {
@@ -255,6 +274,10 @@ void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
       color[i] = colors->GetTypedComponent(point, i) / 255.0;
     }
     vtkCSLFInstances::AddInstance(source, transform->GetMatrix(), color);
+    if (mapped.Scalars)
+    {
+      AddScalar(mapped.Scalars->GetValue(point), mapped.ColorsOfScalars, source);
+    }
   }
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
-#include "Pipeline/cslfColorMap.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTableCopy.h"
 #include "Pipeline/cslfVTKCompatibility.h"
 #include "SceneData/cslfTextureImage.h"
@@ -12,10 +12,12 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkMapper.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -24,6 +26,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -82,13 +86,19 @@ vtkDataArray* FindScalars(vtkMapper* mapper, vtkDataSet* data)
       mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
 }
 
+/// Whether an array is a mapper's colours.
+bool AreDirect(vtkMapper* mapper, vtkDataArray* array)
+{
+  const int mode = mapper->GetColorMode();
+  return mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(array));
+}
+
 /// Whether a mapper would show an array by a table without colours.
 bool NeedsEmptyTable(vtkMapper* mapper, vtkDataSet* data)
 {
   vtkDataArray* array = FindScalars(mapper, data);
-  const int mode = mapper->GetColorMode();
-  if (!array || mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (mode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(array)))
+  if (!array || AreDirect(mapper, array))
   {
     return false;
   }
@@ -119,19 +129,50 @@ vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data
 
 namespace
 {
-/// Says what a table of a mapper maps that has that many colours within its range.
-std::string DescribeTable(vtkScalarsToColors* table, vtkDataArray* array, int steps)
+/// The names of the scalars that a table maps.
+void NameScalars(vtkScalarsToColors* table, vtkDataArray* array, ColorMap& map)
 {
-  ColorMap map;
   map.Array = array->GetName() ? array->GetName() : "";
   const int components = array->GetNumberOfComponents();
   const bool isMagnitude = table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
   map.Component =
     NameComponent(array, isMagnitude && components > 1 ? -1 : table->GetVectorComponent());
+}
+
+/// Says what a table of a mapper maps that has that many colours within its range.
+std::string DescribeTable(vtkScalarsToColors* table, vtkDataArray* array, int steps)
+{
+  ColorMap map;
+  NameScalars(table, array, map);
   std::copy_n(table->GetRange(), 2, map.Range);
   map.IsLogarithmic = table->UsingLogScale() != 0;
   map.Colors.resize(std::size_t(steps) + 2);
   return DescribeColorMap(map);
+}
+
+/// The scalars of points that a table maps, and the map.
+void AddScalars(vtkScalarsToColors* table, vtkDataArray* array, MappedScalars& mapped)
+{
+  const int components = array->GetNumberOfComponents();
+  const int mode = table->GetVectorMode();
+  ColorMap map = MakeColorMap(table);
+  if (map.Colors.empty() || (components > 1 && mode == vtkScalarsToColors::RGBCOLORS))
+  {
+    return;
+  }
+  NameScalars(table, array, map);
+  const bool isMagnitude = components > 1 && mode == vtkScalarsToColors::MAGNITUDE;
+  const int component = std::clamp(table->GetVectorComponent(), 0, components - 1);
+  mapped.Scalars = vtkSmartPointer<vtkDoubleArray>::New();
+  mapped.Scalars->SetName(MapScalarName);
+  std::vector<double> tuple(components);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    array->GetTuple(i, tuple.data());
+    mapped.Scalars->InsertNextValue(
+      isMagnitude ? vtkMath::Norm(tuple.data(), components) : tuple[component]);
+  }
+  mapped.ColorsOfScalars = std::move(map);
 }
 }
 
@@ -215,6 +256,11 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, Imp
   {
     mapped.Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
     mapped.Colors->ShallowCopy(colors);
+    if (!mapped.OfCells && scalars && scalars->GetNumberOfTuples() == expected &&
+      !AreDirect(mapper, scalars))
+    {
+      AddScalars(copy->GetLookupTable(), scalars, mapped);
+    }
   }
   return mapped;
 }

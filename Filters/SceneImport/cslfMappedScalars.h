@@ -7,6 +7,8 @@
 #ifndef cslfMappedScalars_h
 #define cslfMappedScalars_h
 
+#include "Pipeline/cslfColorMap.h"
+
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -14,6 +16,7 @@
 #include <string>
 
 class vtkDataSet;
+class vtkDoubleArray;
 class vtkFloatArray;
 class vtkImageData;
 class vtkMapper;
@@ -35,6 +38,11 @@ struct MappedScalars
   vtkSmartPointer<vtkImageData> Table;
   vtkSmartPointer<vtkFloatArray> Coordinates;
   std::string Map; ///< says what the table maps: see DescribeColorMap
+
+  /// The scalars of points that a map gave their colours, if it is one that interpolated scalars
+  /// may be shown in.
+  vtkSmartPointer<vtkDoubleArray> Scalars;
+  ColorMap ColorsOfScalars;
 };
 
 /// The colour of NaN, if a mapper of composite data uses it for blocks without its array.

@@ -20,8 +20,10 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
+#include <vtkMapper.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -364,6 +366,64 @@ void TestImporter()
   CSLF_CHECK_NEAR(speeds->GetRange()[1], std::sqrt(2.0), 0.01);
 }
 
+/// What an actor's geometry tells of its map.
+cslf::MappedPoints Import(vtkMapper* mapper)
+{
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  importer->Update();
+  return cslf::FindMappedPoints(Recode(Sample(importer->GetOutputDataObject(0))->GetGeometry()));
+}
+
+/// Scalars that are mapped first, where that is not seen, and those of glyphs.
+void TestMappedFirst()
+{
+  for (const int turns : { 1, 24 })
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeBall(GetHeight, nullptr));
+    mapper->SetLookupTable(MakeHues(50.0, 150.0, turns));
+    mapper->UseLookupTableScalarRangeOn();
+    // Colours between points of fine rainbows are not on the map.
+    CSLF_CHECK(Import(mapper).IsEmpty() == (turns > 1));
+  }
+
+  constexpr int side = 12;
+  vtkNew<vtkPolyData> places;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Charge");
+  for (int i = 0; i < side * side; ++i)
+  {
+    points->InsertNextPoint(0.15 * (i % side) - 0.9, 0.15 * (i / side) - 0.9, 0.0);
+    values->InsertNextValue(i);
+  }
+  places->SetPoints(points);
+  places->GetPointData()->SetScalars(values);
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.05);
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputData(places);
+  glyphs->SetSourceConnection(source->GetOutputPort());
+  glyphs->ScalingOff();
+  glyphs->SetLookupTable(MakeHues(0.0, side * side, 1));
+  glyphs->UseLookupTableScalarRangeOn();
+  const cslf::MappedPoints mapped = Import(glyphs);
+  CSLF_CHECK(mapped.Maps.size() == 1 && mapped.Maps[0].Array == "Charge");
+  CSLF_CHECK(!mapped.Scalars.empty());
+  const auto least = std::minmax_element(mapped.Scalars.begin(), mapped.Scalars.end());
+  CSLF_CHECK_NEAR(*least.first, 0.0, 0.2);
+  CSLF_CHECK_NEAR(*least.second, side * side - 1.0, 0.2);
+  for (const double scalar : mapped.Scalars)
+  {
+    CSLF_CHECK_NEAR(scalar, std::round(scalar), 0.2);
+  }
+}
+
 /// Files from anywhere.
 void TestHostile()
 {
@@ -400,6 +460,7 @@ int TestCSLFGeometryMaps(int, char*[])
   TestSpecialScalars();
   TestBodies();
   TestImporter();
+  TestMappedFirst();
   TestHostile();
   return cslf::testing::Result();
 }

@@ -298,7 +298,7 @@ glm::vec3 LightSampler::FindLight(const Aim& aim) const
   {
     this->Stored->GetShape(aim.Target, this->World.GetSurface(aim.Path, aim.Target), light);
   }
-  return mesh.Material.BaseColor * light;
+  return mesh.GetMapFactor() * light;
 }
 
 SampledPoint LightSampler::FindPoint(const Aim& aim) const

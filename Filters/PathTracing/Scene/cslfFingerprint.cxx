@@ -111,6 +111,7 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.Triangles);
   this->Add(mesh.Normals);
   this->Add(mesh.TexCoords);
+  this->Add(mesh.MapPlaces);
   this->Add(mesh.Colors);
   this->Add(mesh.Opacities);
   this->Add(mesh.Emissions);

@@ -21,7 +21,7 @@ namespace
 {
 /// What meshes must share to be joined: the appearance and the instances first.
 using Kind = std::tuple<std::string, std::string, Mesh::Shapes, Mesh::ColorsOf, Mesh::ColorsOf,
-  bool, bool, bool>;
+  bool, bool, bool, bool, bool>;
 
 Kind GetKind(const Mesh& mesh)
 {
@@ -33,7 +33,8 @@ Kind GetKind(const Mesh& mesh)
     places = fingerprint.Finish();
   }
   return { mesh.Appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf,
-    mesh.TexCoords.empty(), mesh.HasInstanceColors, mesh.HasInstanceEmissions };
+    mesh.TexCoords.empty(), mesh.HasInstanceColors, mesh.HasInstanceEmissions, mesh.Map == nullptr,
+    mesh.MapPlaces.empty() };
 }
 
 template <typename Value>
@@ -67,6 +68,7 @@ void Append(Mesh& whole, const Mesh& piece)
   Append(whole.Vertices, piece.Vertices);
   Append(whole.Radii, piece.Radii);
   Append(whole.TexCoords, piece.TexCoords);
+  Append(whole.MapPlaces, piece.MapPlaces);
   for (const glm::uvec3& triangle : piece.Triangles)
   {
     whole.Triangles.push_back(static_cast<std::uint32_t>(first) + triangle);
@@ -176,7 +178,7 @@ private:
   /// Finds the distinct vertices, in order, and the place of each vertex among them.
   void RankVertices()
   {
-    std::vector<Words<17>> vertices(this->Sorted.Vertices.size());
+    std::vector<Words<19>> vertices(this->Sorted.Vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       vertices[i].Add(this->Sorted.Vertices[i]);
@@ -184,6 +186,7 @@ private:
       vertices[i].AddFrom(this->Sorted.Joints, i);
       vertices[i].AddFrom(this->Sorted.Normals, i);
       vertices[i].AddFrom(this->Sorted.TexCoords, i);
+      vertices[i].AddFrom(this->Sorted.MapPlaces, i);
       if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
       {
         vertices[i].AddFrom(this->Sorted.Colors, i);
@@ -260,6 +263,7 @@ private:
     Take(this->Sorted.Joints, indices);
     Take(this->Sorted.Normals, indices);
     Take(this->Sorted.TexCoords, indices);
+    Take(this->Sorted.MapPlaces, indices);
     if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
     {
       Take(this->Sorted.Colors, indices);

@@ -6,6 +6,7 @@
 #include "PathTracing/Shapes/cslfTriangles.h"
 #include "PathTracing/Shapes/cslfTube.h"
 #include "Pipeline/cslfColorMap.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "cslfColor.h"
 #include "vtkCSLFMaterial.h"
@@ -44,6 +45,11 @@ constexpr std::uint32_t Unused = 0xffffffffu;
 // The smallest radius of a tube's end, relative to the other end. Tubes may end in a point, but
 // divisions need a radius above 0.
 constexpr double MinimumEnd = 1e-4;
+
+/// How much colours differ, as the root mean square of components, that count as those of a map,
+/// and the share of a mesh where they may differ by more.
+constexpr double MaximumDifference = 3.0 / 255.0;
+constexpr double MaximumOthers = 0.01;
 
 /// The normal of a point, of unit length, or of length 0 if it has none.
 glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
@@ -147,6 +153,13 @@ void DropCovered(Mesh& mesh)
   }
 }
 
+/// Whether linear colours are displayed alike.
+bool IsAlike(const glm::vec3& one, const glm::vec3& other)
+{
+  const glm::dvec3 difference = LinearToSRGB(glm::dvec3(one)) - LinearToSRGB(glm::dvec3(other));
+  return glm::dot(difference, difference) <= 3.0 * MaximumDifference * MaximumDifference;
+}
+
 /// The map that a texture shows. Null if it does not fit.
 std::shared_ptr<const ColorMap> FindMap(const std::string& text, const Texture& texture)
 try
@@ -203,15 +216,17 @@ public:
     this->Result.Material = this->Source.Material;
     this->AddEmissions();
     this->AddInstances();
+    this->AddMapPlaces();
     if (this->Result.Shape == Mesh::Shapes::Tubes)
     {
       DivideLongTubes(this->Result);
     }
     this->Result.Textures = this->Source.Textures;
     this->Result.Appearance = this->Source.Appearance;
-    this->Result.Map = this->Source.Map.empty() || !this->Result.Textures.BaseColor
-      ? nullptr
-      : FindMap(this->Source.Map, *this->Result.Textures.BaseColor);
+    if (!this->Result.Map && !this->Source.Map.empty() && this->Result.Textures.BaseColor)
+    {
+      this->Result.Map = FindMap(this->Source.Map, *this->Result.Textures.BaseColor);
+    }
     if (this->Table.Colors)
     {
       this->Result.Material.BaseColor = glm::vec3(1.0f);
@@ -422,6 +437,68 @@ private:
         most = glm::max(most, instance.Emission);
       }
     }
+  }
+
+  /// The places of the colours of points or instances on their map, if between points it has the
+  /// colours that are interpolated there.
+  void AddMapPlaces()
+  {
+    if (this->Source.ColorMaps.size() != 1 || this->Source.Textures.BaseColor)
+    {
+      return;
+    }
+    const auto map = std::make_shared<const ColorMap>(this->Source.ColorMaps.front());
+    vtkDataArray* scalars = this->Source.Data->GetPointData()->GetArray(MapScalarName);
+    const bool hasScalars = scalars && scalars->GetNumberOfComponents() == 1;
+    if (this->Result.HasInstanceColors)
+    {
+      bool isKnown = true;
+      for (std::size_t i = 0; i < this->Source.Instances.size(); ++i)
+      {
+        const BlockInstance& instance = this->Source.Instances[i];
+        const glm::dvec2 place = map->GetPlace(instance.Scalar);
+        this->Result.Instances[i].MapPlace = place;
+        isKnown = isKnown && instance.HasScalar && IsAlike(map->GetColor(place), instance.Color);
+      }
+      this->Result.Map = isKnown ? map : nullptr;
+    }
+    else if (hasScalars && this->Result.Coloring == Mesh::ColorsOf::Vertices)
+    {
+      for (const vtkIdType point : this->Points)
+      {
+        this->Result.MapPlaces.emplace_back(map->GetPlace(scalars->GetTuple1(point)));
+      }
+      this->Result.Map = map;
+      if (!this->ShowsMap())
+      {
+        this->Result.Map = nullptr;
+        this->Result.MapPlaces.clear();
+      }
+    }
+  }
+
+  /// Whether the map has nearly all colours that the mesh has in the middle of its shapes and
+  /// edges.
+  bool ShowsMap() const
+  {
+    const std::vector<glm::vec2> places = this->Result.Shape == Mesh::Shapes::Triangles
+      ? std::vector<glm::vec2>{ { 1.0f / 3.0f, 1.0f / 3.0f }, { 0.5f, 0.0f }, { 0.5f, 0.5f },
+          { 0.0f, 0.5f } }
+      : std::vector<glm::vec2>{ { 0.5f, 0.0f } };
+    std::size_t others = 0;
+    for (std::uint32_t shape = 0; shape < this->Result.GetNumberOfShapes(); ++shape)
+    {
+      for (const glm::vec2& place : places)
+      {
+        const TrianglePoint point{ shape, place.x, place.y };
+        others += IsAlike(this->Result.Map->GetColor(this->Result.GetMapPlace(point)),
+                    this->Result.GetBaseColor(point))
+          ? 0
+          : 1;
+      }
+    }
+    return static_cast<double>(others) <=
+      MaximumOthers * static_cast<double>(places.size() * this->Result.GetNumberOfShapes());
   }
 
   const SceneBlock& Source;

@@ -132,6 +132,10 @@ InstanceSelection SelectInstances(vtkPolyData* data)
     (hasEmissions &&
       (!emissions || emissions->GetNumberOfTuples() != matrices->GetNumberOfTuples() ||
         emissions->GetNumberOfComponents() != 3));
+  vtkDataArray* scalars = fields->GetArray(vtkCSLFInstances::InstanceScalar());
+  const bool hasScalars = !selection.IsBroken && scalars &&
+    scalars->GetNumberOfTuples() == matrices->GetNumberOfTuples() &&
+    scalars->GetNumberOfComponents() == 1;
   for (vtkIdType i = 0; !selection.IsBroken && i < matrices->GetNumberOfTuples(); ++i)
   {
     BlockInstance instance;
@@ -152,6 +156,11 @@ InstanceSelection SelectInstances(vtkPolyData* data)
     {
       instance.Emission = GetRadiance(emissions, i);
       instance.HasEmission = true;
+    }
+    if (hasScalars)
+    {
+      instance.Scalar = scalars->GetTuple1(i);
+      instance.HasScalar = true;
     }
     selection.Places.push_back(instance);
   }

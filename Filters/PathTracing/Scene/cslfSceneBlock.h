@@ -8,6 +8,7 @@
 #define cslfSceneBlock_h
 
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "Pipeline/cslfColorMap.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -47,6 +48,8 @@ struct BlockInstance
   bool HasColor = false;
   glm::vec3 Emission{ 0.0f }; ///< radiance
   bool HasEmission = false;
+  double Scalar = 0.0; ///< that a map gave its colour
+  bool HasScalar = false;
 };
 
 /// A tuple of radiance. Values that are negative or not finite become 0.
@@ -79,7 +82,8 @@ struct SceneBlock
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Map; ///< what the texture of base colours maps, see ReadColorMap, or nothing
-  std::string Appearance; ///< identifies the material, the textures and the map
+  std::vector<ColorMap> ColorMaps; ///< or the map of the colours of points or instances
+  std::string Appearance;          ///< identifies the material, the textures and the map
   std::vector<BlockInstance> Instances;
 
   bool HasTextures() const;

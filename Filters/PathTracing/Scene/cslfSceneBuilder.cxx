@@ -454,6 +454,11 @@ private:
       block.Map = map->GetValue(0);
       appearance.Add(std::vector<char>(block.Map.begin(), block.Map.end()));
     }
+    block.ColorMaps = FindColorMaps(data);
+    for (const ColorMap& colors : block.ColorMaps)
+    {
+      appearance.Add(colors.Colors);
+    }
     block.Appearance = appearance.Finish();
   }
 

@@ -77,8 +77,7 @@ glm::vec3 Mesh::GetColor(const TrianglePoint& point) const
 
 const ColorMap* Mesh::FindMap() const
 {
-  const bool isPlain = this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
-    !this->HasInstanceEmissions && this->EmissionsOf == ColorsOf::None &&
+  const bool isPlain = !this->HasInstanceEmissions && this->EmissionsOf == ColorsOf::None &&
     !this->Textures.Emission && this->Material.Emission == glm::vec3(0.0f) &&
     (this->Material.Unlit || this->Material.IsLambertian());
   return this->Map && isPlain && this->Map->IsOpaque() ? this->Map.get() : nullptr;
@@ -86,8 +85,22 @@ const ColorMap* Mesh::FindMap() const
 
 glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
 {
+  if (this->HasInstanceColors)
+  {
+    return this->Instances[point.Instance].MapPlace;
+  }
+  if (!this->MapPlaces.empty())
+  {
+    return this->Interpolate(this->MapPlaces, point);
+  }
   const glm::vec2 place = this->Interpolate(this->TexCoords, point);
   return { place.x * static_cast<float>(this->Map->Colors.size()), place.y > 0.5f ? 1.0f : 0.0f };
+}
+
+glm::vec3 Mesh::GetMapFactor() const
+{
+  return this->Coloring == ColorsOf::None && !this->HasInstanceColors ? this->Material.BaseColor
+                                                                      : glm::vec3(1.0f);
 }
 
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const

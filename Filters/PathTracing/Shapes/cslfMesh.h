@@ -45,6 +45,7 @@ struct MeshInstance
   glm::vec3 Color{ 1.0f }; ///< linear; used if the mesh has colours of instances
   float Opacity = 1.0f;
   glm::vec3 Emission{ 0.0f }; ///< radiance; used if the mesh has emissions of instances
+  glm::vec2 MapPlace{ 0.0f }; ///< used if the mesh has colours of instances, and a map
 };
 
 /// Images that multiply factors of the material. Null if there is none.
@@ -92,8 +93,11 @@ struct VTKCSLF_EXPORT Mesh
   glm::vec3 DisplayedWhite{ 0.0f };
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  std::shared_ptr<const ColorMap> Map; ///< whose place are the texture coordinates, or null
-  std::string Appearance;              ///< identifies the material, the textures and the map
+  /// The map of the texture of base colours; or of the colours of vertices or instances, whose
+  /// places on it follow; or null.
+  std::shared_ptr<const ColorMap> Map;
+  std::vector<glm::vec2> MapPlaces;
+  std::string Appearance; ///< identifies the material, the textures and the map
 
   /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
   /// scene's.
@@ -161,8 +165,9 @@ struct VTKCSLF_EXPORT Mesh
   /// directions; or null.
   const ColorMap* FindMap() const;
 
-  /// The place on the map.
+  /// The place on the map, and what multiplies its colour.
   glm::vec2 GetMapPlace(const TrianglePoint& point) const;
+  glm::vec3 GetMapFactor() const;
 
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;

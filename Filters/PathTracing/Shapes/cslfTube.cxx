@@ -64,6 +64,7 @@ public:
     this->Interpolate(mesh.Radii);
     this->Interpolate(mesh.Normals);
     this->Interpolate(mesh.TexCoords);
+    this->Interpolate(mesh.MapPlaces);
     const bool ofTubes = mesh.Coloring == Mesh::ColorsOf::Triangles;
     ofTubes ? this->Repeat(mesh.Colors) : this->Interpolate(mesh.Colors);
     ofTubes ? this->Repeat(mesh.Opacities) : this->Interpolate(mesh.Opacities);
