@@ -64,8 +64,8 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
-cslf_add(Filters/Coding/Geometry BodyGroups GeometryCodec GeometryTexels GeometryFit GeometryRays
-  MapCodes)
+cslf_add(Filters/Coding/Geometry
+  BodyGroups GeometryCodec GeometryFit GeometryRays GeometryStreams GeometryTexels MapCodes)
 cslf_add(Filters/Coding/Containers
   ContainerReader FileHeader FileParts MovieBoxes)
 cslf_add(Filters/Coding/Frames

@@ -3,6 +3,7 @@
 #include "cslfMapCodes.h"
 
 #include "cslfColor.h"
+#include "cslfGeometryStreams.h"
 #include "cslfJSONText.h"
 
 #include <vtkMath.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace cslf
@@ -48,14 +48,6 @@ constexpr const char* PlacesKey = "places";
 constexpr const char* BitsKey = "bits";
 constexpr const char* LightKey = "maximum_light";
 constexpr const char* LightStepsKey = "light_steps";
-
-void RequireSound(bool condition)
-{
-  if (!condition)
-  {
-    throw std::invalid_argument("its color maps are damaged");
-  }
-}
 }
 
 std::uint16_t MapCodes::Scale::ToCode(const glm::dvec2& place) const
