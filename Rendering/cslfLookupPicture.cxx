@@ -49,6 +49,8 @@ constexpr double SetShiftY = 0.4;
 /// A level of detail takes at most this many times as long as the next, which has half of the
 /// triangles; with room, so that levels do not change to and fro.
 constexpr double MaximumSlowing = 2.5;
+/// How many times as long all rays of the pixels take as one of each, if that is not known.
+constexpr double ProbedSlowing = 2.0;
 /// Fewer rays for each triangle than this save little time, and neither do fewer triangles for each
 /// pixel.
 constexpr double UsefulRays = 0.5;
@@ -182,6 +184,7 @@ void LookupPicture::ChooseSize(const View& view, int wantedSamples, double secon
         : UsefulRays * view.Geometry->CountTriangles(this->MovingLevel);
       side = std::max(side, std::min(1.0, std::sqrt(rays / (this->Area[2] * this->Area[3]))));
       side = this->MovingLevel > 0 ? std::min(side, 1.0) : side;
+      side = isKnown && side >= 1.0 && this->HasTimeForAll(wantedSamples) ? wantedSamples : side;
     }
     this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
     const bool isKept = side >= previous && side < previous + 2.0 / ShareSteps;
@@ -193,6 +196,16 @@ void LookupPicture::ChooseSize(const View& view, int wantedSamples, double secon
     const double pixels = this->Area[2 + axis] * this->Samples * this->Share;
     this->Size[axis] = static_cast<int>(std::ceil(pixels));
   }
+}
+
+// Several rays of a pixel take less time than as many pixels, because triangles take some, too.
+bool LookupPicture::HasTimeForAll(int wantedSamples) const
+{
+  const double pixels = static_cast<double>(this->Area[2]) * this->Area[3];
+  const double all = this->FullRaySeconds > 0.0
+    ? this->FullRaySeconds * pixels * wantedSamples * wantedSamples
+    : ProbedSlowing * this->PixelSeconds * pixels;
+  return this->MovingLevel == 0 && all < this->WantedSeconds;
 }
 
 void LookupPicture::ChooseLevel(double seconds)
@@ -270,6 +283,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
     this->Viewport = viewport;
     this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
     this->IsMoving = pace.Seconds < StillSeconds;
+    this->FullRaySeconds = this->IsMoving ? this->FullRaySeconds : 0.0;
     this->IsAlone = isOnGeometry && view.Geometry->IsAlone;
     if (this->Current.Geometry != view.Geometry || this->Current.Lookup != view.Lookup)
     {
@@ -325,7 +339,12 @@ void LookupPicture::DrawSet(FieldTexture& field)
     // The first picture takes uploads and compilation, too.
     const bool isFirst = this->PixelSeconds == 0.0;
     this->PixelSeconds = seconds / (static_cast<double>(this->Size[0]) * this->Size[1]);
-    if (!isFirst)
+    if (this->IsAlone && this->Samples > 1)
+    {
+      // If that took too long, the next picture has one ray for each pixel.
+      this->FullRaySeconds = this->PixelSeconds;
+    }
+    else if (!isFirst)
     {
       this->ChooseLevel(seconds);
     }

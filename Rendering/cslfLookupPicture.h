@@ -114,6 +114,8 @@ private:
   /// Looks up one more set of rays.
   void DrawSet(FieldTexture& field);
   void ChooseSize(const View& view, int wantedSamples, double seconds);
+  /// Whether there is probably time for all rays of the pixels while the view moves.
+  bool HasTimeForAll(int wantedSamples) const;
   /// The level of the geometry for the next moving view, by the seconds that this one took.
   void ChooseLevel(double seconds);
   /// Whether the picture of a still view has less detail than it should have.
@@ -158,16 +160,17 @@ private:
   double Share = 1.0; ///< the same, as far as there is time while the view moves
   int Sets = 0;       ///< of as many rays that the picture is the mean of
   int WantedSets = 0;
-  bool IsMoving = false;                ///< the view, when the picture was drawn
-  std::array<int, 2> Size{ 1, 1 };      ///< the number of rays
-  double PixelSeconds = 0.0;            ///< for a pixel at the last measurement; 0 before
-  double WantedSeconds = 0.0;           ///< for a picture of a moving view
-  bool IsSearched = false;              ///< by depth or geometry, which takes several passes
-  bool IsOnGeometry = false;            ///< rays that meet the geometry are not searched
-  bool IsAlone = false;                 ///< the geometry shows the field
-  std::size_t Level = 0;                ///< of its detail: 0 for all of it
-  std::size_t MovingLevel = 0;          ///< the same, as far as there is time while the view moves
-  bool CanCoarsen = false;              ///< whether there is a level after that
+  bool IsMoving = false;           ///< the view, when the picture was drawn
+  std::array<int, 2> Size{ 1, 1 }; ///< the number of rays
+  double PixelSeconds = 0.0;       ///< for a pixel at the last measurement; 0 before
+  double FullRaySeconds = 0.0; ///< for a ray, when a moving view had all rays of its pixels; or 0
+  double WantedSeconds = 0.0;  ///< for a picture of a moving view
+  bool IsSearched = false;     ///< by depth or geometry, which takes several passes
+  bool IsOnGeometry = false;   ///< rays that meet the geometry are not searched
+  bool IsAlone = false;        ///< the geometry shows the field
+  std::size_t Level = 0;       ///< of its detail: 0 for all of it
+  std::size_t MovingLevel = 0; ///< the same, as far as there is time while the view moves
+  bool CanCoarsen = false;     ///< whether there is a level after that
   std::array<LookupTarget, 2> Pictures; ///< one is shown, the other replaces it when it is refined
   std::size_t Shown = 0;
 };
