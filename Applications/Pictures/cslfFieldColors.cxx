@@ -29,7 +29,7 @@ namespace
 ///@{
 /// The bar, as shares of the picture's height, and in sizes of the font.
 constexpr double BarBottom = 0.1;
-constexpr double BarHeight = 0.8;
+constexpr double BarTop = 0.9;
 constexpr double BarThickness = 1.4;
 constexpr double BarMargin = 0.8; ///< between it and the picture's edge
 constexpr double TitleGap = 0.6;  ///< above the uppermost label
@@ -183,7 +183,7 @@ vtkProp* ScalarBar::GetProp()
   return this->Bar;
 }
 
-void ScalarBar::Fit(int width, int height, const double background[3])
+void ScalarBar::Fit(int width, int height, const double background[3], int lowest)
 {
   const int size = static_cast<int>(FontShare * std::min(width, height));
   this->SetFonts(std::clamp(size, MinimumFont, MaximumFont), background);
@@ -199,9 +199,11 @@ void ScalarBar::Fit(int width, int height, const double background[3])
   const double needed = std::max<double>(title, thickness + this->MeasureLabels());
   this->Bar->SetBarRatio(thickness / needed);
   this->Bar->SetVerticalTitleSeparation(static_cast<int>(TitleGap * font));
-  this->Bar->SetPosition(1.0 - (needed + BarMargin * font) / width, BarBottom);
+  const double bottom =
+    std::clamp((lowest + BarMargin * font) / height, BarBottom, 0.5 * (BarBottom + BarTop));
+  this->Bar->SetPosition(1.0 - (needed + BarMargin * font) / width, bottom);
   this->Bar->SetWidth(needed / width);
-  this->Bar->SetHeight(BarHeight);
+  this->Bar->SetHeight(BarTop - bottom);
 }
 
 void ScalarBar::SetFonts(int size, const double background[3])

@@ -79,9 +79,9 @@ public:
 
   vtkProp* GetProp();
 
-  /// Chooses sizes for a picture of so many pixels, and black or white texts that contrast with the
-  /// background.
-  void Fit(int width, int height, const double background[3]);
+  /// Chooses sizes for a picture of so many pixels, without the lowest rows, and black or white
+  /// texts that contrast with the background.
+  void Fit(int width, int height, const double background[3], int lowest = 0);
 
 private:
   void SetFonts(int size, const double background[3]);

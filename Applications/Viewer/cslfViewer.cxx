@@ -109,7 +109,12 @@ namespace
 {
 constexpr double ExposureStep = 1.25;
 
+///@{
+/// Of the viewer's texts, in pixels; and the most lines of figures.
 constexpr int FontSize = 15;
+constexpr int LineHeight = 18;
+constexpr int StateLines = 4;
+///@}
 
 void Place(vtkTextActor* text, double x, double y)
 {
@@ -336,13 +341,14 @@ void Viewer::SetColors(const FieldColors& colors, bool hasBar)
   }
 }
 
-// The bar is as large as the window allows, which users may change.
+// The bar is as large as the window and the figures below allow, which users may change.
 void Viewer::FitScalarBar()
 {
   if (this->Bar)
   {
     const int* size = this->Window->GetSize();
-    this->Bar->Fit(size[0], size[1], this->Backdrop->GetBackground());
+    const int lowest = this->ShowsState ? StateLines * LineHeight : 0;
+    this->Bar->Fit(size[0], size[1], this->Backdrop->GetBackground(), lowest);
   }
 }
 
