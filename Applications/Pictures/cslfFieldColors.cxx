@@ -223,13 +223,17 @@ void ScalarBar::SetFonts(int size, const double background[3])
 /// The width of the widest label, in pixels.
 int ScalarBar::MeasureLabels() const
 {
-  const double* range = this->Bar->GetLookupTable()->GetRange();
+  vtkScalarsToColors* table = this->Bar->GetLookupTable();
+  const double* range = table->GetRange();
+  const std::string format = MakeLabelFormat(range);
   int widest = 0;
   for (int i = 0; i < LabelCount; ++i)
   {
-    const double value = range[0] + i * (range[1] - range[0]) / (LabelCount - 1);
+    const double part = i / (LabelCount - 1.0);
+    const double value = table->UsingLogScale() ? range[0] * std::pow(range[1] / range[0], part)
+                                                : range[0] + part * (range[1] - range[0]);
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), this->Bar->GetLabelFormat(), value);
+    std::snprintf(text.data(), text.size(), format.c_str(), value);
     widest = std::max(widest, MeasureText(this->Bar->GetLabelTextProperty(), text.data()));
   }
   return widest;

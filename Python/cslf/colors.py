@@ -193,6 +193,18 @@ def make_scalar_bar(mapper, scalars, size, background):
     return bar
 
 
+def list_labels(bar):
+    """The values at which a bar has labels, as texts."""
+    table = bar.GetLookupTable()
+    low, high = table.GetRange()
+    parts = [i / (LABELS - 1) for i in range(LABELS)]
+    if table.UsingLogScale():
+        values = [low * (high / low)**part for part in parts]
+    else:
+        values = [low + part * (high - low) for part in parts]
+    return [get_label_format(low, high) % value for value in values]
+
+
 def place_bar(bar, size):
     """Gives a bar the place that its texts need."""
     width = size[0]
@@ -202,10 +214,7 @@ def place_bar(bar, size):
     if title > width / 2:
         font.SetFontSize(max(int(letter * width / 2 / title), 10))
         title = measure(font, bar.GetTitle())
-    low, high = bar.GetLookupTable().GetRange()
-    labels = max(measure(bar.GetLabelTextProperty(),
-                         bar.GetLabelFormat() % (low + i * (high - low) / (LABELS - 1)))
-                 for i in range(LABELS))
+    labels = max(measure(bar.GetLabelTextProperty(), text) for text in list_labels(bar))
     needed = max(title, 1.4 * letter + labels)
     bar.SetBarRatio(1.4 * letter / needed)
     bar.SetVerticalTitleSeparation(int(0.6 * letter))
