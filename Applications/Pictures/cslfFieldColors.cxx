@@ -9,6 +9,7 @@
 #include "vtkCSLFSceneLook.h"
 
 #include <vtkLookupTable.h>
+#include <vtkProperty2D.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
@@ -41,6 +42,9 @@ constexpr double FontShare = 1.0 / 26.0;
 constexpr int MinimumFont = 10;
 constexpr int MaximumFont = 64;
 ///@}
+
+/// How much the background hides of the scene behind the bar.
+constexpr double BackgroundOpacity = 0.6;
 
 /// The largest share of the picture's width that a long title takes.
 constexpr double MaximumTitle = 0.5;
@@ -173,6 +177,8 @@ ScalarBar::ScalarBar(vtkCSLFMapper* mapper, const std::string& title)
   this->Bar->SetMaximumNumberOfColors(ColorCount);
   this->Bar->SetLabelFormat(MakeLabelFormat(table->GetRange()).c_str());
   this->Bar->UnconstrainedFontSizeOn();
+  this->Bar->DrawBackgroundOn();
+  this->Bar->GetBackgroundProperty()->SetOpacity(BackgroundOpacity);
   this->Bar->SetPickable(false);
 }
 
@@ -208,6 +214,7 @@ void ScalarBar::Fit(int width, int height, const double background[3], int lowes
 
 void ScalarBar::SetFonts(int size, const double background[3])
 {
+  this->Bar->GetBackgroundProperty()->SetColor(background[0], background[1], background[2]);
   const double level = IsBright(background) ? 0.0 : 1.0;
   for (vtkTextProperty* font :
     { this->Bar->GetTitleTextProperty(), this->Bar->GetLabelTextProperty() })

@@ -80,7 +80,7 @@ public:
   vtkProp* GetProp();
 
   /// Chooses sizes for a picture of so many pixels, without the lowest rows, and black or white
-  /// texts that contrast with the background.
+  /// texts that contrast with the background, which lies between them and the scene.
   void Fit(int width, int height, const double background[3], int lowest = 0);
 
 private:

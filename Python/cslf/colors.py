@@ -181,6 +181,9 @@ def make_scalar_bar(mapper, scalars, size, background):
     bar.SetMaximumNumberOfColors(512)
     bar.SetLabelFormat(get_label_format(low, high))
     bar.UnconstrainedFontSizeOn()
+    bar.DrawBackgroundOn()  # between the texts and the scene
+    bar.GetBackgroundProperty().SetColor(background)
+    bar.GetBackgroundProperty().SetOpacity(0.6)
     luminance = sum(weight * level**2.2
                     for weight, level in zip((0.2126, 0.7152, 0.0722), background))
     for font in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
