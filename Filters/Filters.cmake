@@ -137,7 +137,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds ClippedBlock
     FaceSides GlyphImporter ImportedScene LightImporter MappedScalars PointParts)
-  cslf_add(Filters/SceneLook SurfaceColoring)
+  cslf_add(Filters/SceneLook NamedColorMaps SurfaceColoring)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()
 

@@ -8,6 +8,7 @@
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfRequests.h"
 #include "SceneImport/cslfAMRSurface.h"
+#include "SceneLook/cslfNamedColorMaps.h"
 #include "SceneLook/cslfSurfaceColoring.h"
 #include "cslfDescription.h"
 #include "vtkCSLFEnvironment.h"
@@ -213,6 +214,14 @@ cslfSetOptionMacro(vtkCSLFSceneLook, UpAxis, UpAxis);
 const char* vtkCSLFSceneLook::GetColorMapName(int map)
 {
   return FindName(options::ColorMap, map);
+}
+
+void vtkCSLFSceneLook::SetUpLookupTable(int map, vtkLookupTable* table)
+{
+  if (table && GetColorMapName(map))
+  {
+    cslf::SetUpLookupTable(map, table);
+  }
 }
 
 const char* vtkCSLFSceneLook::GetLightName(int light)

@@ -40,6 +40,7 @@
 #include <string> // for ColorArrayName
 
 class vtkCSLFEnvironment;
+class vtkLookupTable;
 class vtkTable;
 
 class VTKCSLF_EXPORT vtkCSLFSceneLook : public vtkMultiBlockDataSetAlgorithm
@@ -111,6 +112,13 @@ public:
    * The name of a colour map, such as `cool-to-warm`. Null for a number that is out of range.
    */
   static const char* GetColorMapName(int map);
+
+  /**
+   * Gives a lookup table the colours of a colour map, for example to show a light field in it:
+   * vtkCSLFMapper::SetLookupTable. What is not a number becomes gray. Range and scale of the table
+   * remain. Automatic is cool to warm. A null table and a number that is out of range are ignored.
+   */
+  static void SetUpLookupTable(int map, vtkLookupTable* table);
 
   ///@{
   /**

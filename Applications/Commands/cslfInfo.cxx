@@ -5,6 +5,7 @@
 #include "Console/cslfHelp.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfFieldScalars.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfCommands.h"
 #include "cslfJoin.h"
@@ -17,6 +18,7 @@
 #include <iomanip>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 namespace cslf::tool
 {
@@ -60,6 +62,16 @@ nlohmann::json SummarizeGeometry(const FieldFile& file)
   return json;
 }
 
+nlohmann::json SummarizeAll(const std::vector<FieldScalars>& scalars)
+{
+  nlohmann::json json = nlohmann::json::array();
+  for (const FieldScalars& each : scalars)
+  {
+    json.push_back(Summarize(each));
+  }
+  return json;
+}
+
 std::string DescribeGeometry(const nlohmann::json& json)
 {
   if (json.is_null())
@@ -90,6 +102,8 @@ Result Run(const std::string& fileName)
   result.JSON["missing"] = CountMissing(file);
   result.JSON["unfinished"] = IsUnfinished(file);
   result.JSON["geometry"] = SummarizeGeometry(file);
+  const std::vector<FieldScalars> scalars = ListScalars(file);
+  result.JSON["scalars"] = SummarizeAll(scalars);
   result.JSON["parts"] = ListParts(file);
 
   const nlohmann::json& json = result.JSON;
@@ -117,6 +131,10 @@ Result Run(const std::string& fileName)
     json["missing"].dump() + " viewpoints" +
       (json["unfinished"].get<bool>() ? ", the field is unfinished" : "") });
   table.AddRow({ "geometry", DescribeGeometry(json["geometry"]) });
+  for (const FieldScalars& each : scalars)
+  {
+    table.AddRow({ "scalars", Describe(each) });
+  }
   for (const auto& part : json["parts"])
   {
     table.AddRow({ "part",
@@ -136,8 +154,9 @@ void AddInfo(CLI::App& app, Command& chosen)
     "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
     "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
-    "that they lack; null if there is none), parts (additional parts of a video: type, name, "
-    "bytes)."));
+    "that they lack; null if there is none), scalars (what a lookup table coloured: array, "
+    "component if it has several, points, range, map_range, logarithmic), parts (additional parts "
+    "of a video: type, name, bytes)."));
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->type_name(FilePlaceholder)

@@ -11,9 +11,12 @@
 #include "Measurements/cslfStatistics.h"
 #include "Options/cslfCameraOptions.h"
 #include "Pictures/cslfCameraPath.h"
+#include "Pictures/cslfFieldColors.h"
 #include "Pictures/cslfFrameFiles.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"
+
+#include "vtkCSLFMapper.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -33,12 +36,45 @@ struct Options
   FieldInput Field;
   std::string Output;
   std::string Lookup;
+  FieldColorOptions Colors;
   ToneOptions Tone;
   int PixelSamples = options::PixelSamples.Default;
   CameraOptions Camera;
   CameraPathOptions Path;
   double FrameRate = 25.0;
 };
+
+/// The colours of scalars with a lookup of that name. Throws a Failure.
+FieldColors ChooseColors(const Options& options, const FieldFile& file, const std::string& lookup)
+{
+  if (options.Colors.IsEmpty())
+  {
+    return {};
+  }
+  const FieldColors colors(options.Colors, file);
+  if (FindLookup(lookup) != vtkCSLFMapper::GEOMETRY)
+  {
+    throw Failure("Scalars are shown by the lookup geometry, not by " + lookup + ".");
+  }
+  return colors;
+}
+
+std::unique_ptr<FieldRenderer> MakeRenderer(
+  const Options& options, const FieldFile& file, const FieldColors& colors)
+{
+  ReadToDraw(file);
+  auto renderer =
+    std::make_unique<FieldRenderer>(file, options.Camera.GetWidth(), options.Camera.GetHeight());
+  renderer->SetBackground(options.Camera.GetBackground().data());
+  renderer->SetToneMapping(options.Tone.Get());
+  renderer->SetPixelSamples(options.PixelSamples);
+  renderer->SetColors(colors);
+  if (options.Colors.HasBar)
+  {
+    renderer->AddScalarBar(colors.GetTitle());
+  }
+  return renderer;
+}
 
 Result RunView(const Options& options)
 {
@@ -51,13 +87,10 @@ Result RunView(const Options& options)
   const FieldFile file = OpenField(options.Field);
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
+  const FieldColors colors = ChooseColors(options, file, lookup);
   RequireDisplay();
-  ReadToDraw(file);
-  FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
-  renderer.SetBackground(options.Camera.GetBackground().data());
-  renderer.SetToneMapping(options.Tone.Get());
-  renderer.SetPixelSamples(options.PixelSamples);
-  WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
+  const auto renderer = MakeRenderer(options, file, colors);
+  WritePicture(options.Output, renderer->Render(camera, FindLookup(lookup)));
   Result result;
   result.Text = options.Output + "\n";
   result.JSON = { { "output", options.Output }, { "lookup", lookup } };
@@ -69,25 +102,21 @@ Result RunPath(const Options& options)
   const FieldFile file = OpenField(options.Field);
   const std::string name = ChooseLookup(options.Lookup, file);
   const auto cameras = options.Path.MakeCameras(options.Camera.MakeCamera(file.Field.Box));
+  const FieldColors colors = ChooseColors(options, file, name);
   RequireDisplay();
-  const int width = options.Camera.GetWidth();
-  const int height = options.Camera.GetHeight();
-  const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
-  ReadToDraw(file);
-  FieldRenderer renderer(file, width, height);
-  renderer.SetBackground(options.Camera.GetBackground().data());
-  renderer.SetToneMapping(options.Tone.Get());
-  renderer.SetPixelSamples(options.PixelSamples);
+  const auto writer = MakeFrameWriter(
+    options.Output, options.Camera.GetWidth(), options.Camera.GetHeight(), options.FrameRate);
+  const auto renderer = MakeRenderer(options, file, colors);
   const int lookup = FindLookup(name);
   // The first picture uploads the field to graphics memory, so its time does not count as a frame.
-  renderer.Draw(cameras.front(), lookup);
+  renderer->Draw(cameras.front(), lookup);
   vtkNew<vtkAlgorithm> drawing;
   const ProgressBar bar(drawing, "Drawing");
   std::vector<double> seconds;
   for (const auto& camera : cameras)
   {
-    seconds.push_back(renderer.Draw(camera, lookup));
-    writer->Add(renderer.Grab(), 1);
+    seconds.push_back(renderer->Draw(camera, lookup));
+    writer->Add(renderer->Grab(), 1);
     drawing->UpdateProgress(
       static_cast<double>(seconds.size()) / static_cast<double>(cameras.size()));
   }
@@ -96,7 +125,7 @@ Result RunPath(const Options& options)
   result.Text = options.Output + ": " + std::to_string(cameras.size()) + " frames, " +
     Format(1000.0 * Median(seconds), 2) + " ms drawing time per picture (median)\n";
   result.JSON = { { "output", options.Output }, { "lookup", name }, { "frames", cameras.size() },
-    { "path", options.Path.GetPath() }, { "device", renderer.GetDeviceName() },
+    { "path", options.Path.GetPath() }, { "device", renderer->GetDeviceName() },
     { "median_frame_seconds", Median(seconds) }, { "frame_seconds", seconds } };
   return result;
 }
@@ -113,7 +142,8 @@ void AddRender(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand(
     "render", "Draw a novel view of a light field, or the views along a camera path");
   command->footer(MakeFooter({ "cslf render box.mp4 -o view.png --position 0.6 0.3 4.4",
-    "cslf render box.mp4 --path swing --frames 100 -o swing.mp4" }));
+    "cslf render box.mp4 --path swing --frames 100 -o swing.mp4",
+    "cslf render flow.mp4 -o x.png --color-map viridis --range 0 5 --scalar-bar" }));
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   command
@@ -123,6 +153,7 @@ void AddRender(CLI::App& app, Command& chosen)
     ->required();
   AddLookup(*command, options->Lookup, "the lookup");
   AddPixelSamples(*command, options->PixelSamples);
+  options->Colors.AddTo(*command);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   options->Path.AddTo(*command);

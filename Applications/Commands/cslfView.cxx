@@ -8,6 +8,7 @@
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfOutputFiles.h"
 #include "Options/cslfCameraOptions.h"
+#include "Pictures/cslfFieldColors.h"
 #include "Pictures/cslfFrameFiles.h"
 #include "Pictures/cslfPictures.h"
 #include "Scenes/cslfSceneFiles.h"
@@ -54,6 +55,7 @@ struct Options
 {
   std::string Field;
   SceneOptions Scene;
+  FieldColorOptions Colors; ///< without those of the scene
   std::string Lookup;
   std::string Keys;
   std::string Screenshot;
@@ -313,6 +315,30 @@ FieldFile BakePreview(const SceneOptions& options)
   return file;
 }
 
+/// The colours of the field's scalars. A preview of a scene has those of the command line already.
+/// A scene beside the field has the same options, and perhaps other arrays. Throws a Failure.
+FieldColors ChooseColors(const Options& options, const FieldFile& file, bool isPreview)
+{
+  FieldColorOptions colors = options.Colors;
+  if (isPreview)
+  {
+    return { colors, file };
+  }
+  colors.Colors = options.Scene.GetLook().GetColors();
+  try
+  {
+    return { colors, file };
+  }
+  catch (const Failure&)
+  {
+    if (options.Scene.IsEmpty())
+    {
+      throw;
+    }
+    return { {}, file };
+  }
+}
+
 void PressKeys(Viewer& viewer, const std::string& keys)
 {
   for (const char key : keys)
@@ -350,6 +376,7 @@ Result Run(Options options)
     isScene ? BakePreview(options.Scene) : OpenField(FieldInput{ options.Field, true });
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
+  const FieldColors colors = ChooseColors(options, file, isScene);
   auto truth = MakeTruth(options.Scene, file.Field);
   RequireDisplay(isVisible);
   ReadToDraw(file);
@@ -361,6 +388,7 @@ Result Run(Options options)
   viewer.SetBackground(options.Camera.GetBackground().data());
   viewer.SetLookup(FindLookup(lookup));
   viewer.SetToneMapping(options.Tone.Get());
+  viewer.SetColors(colors, options.Colors.HasBar);
   PressKeys(viewer, options.Keys);
   Result result;
   if (isVisible)
@@ -391,10 +419,10 @@ void AddView(CLI::App& app, Command& chosen)
     { "cslf view box.mp4", "cslf view box.mp4 cornell-box --keys st", "cslf view dragon.ply" },
     "Keys and mouse:\n" + CLI::detail::find_and_replace("  " + Viewer::GetHelp(), "\n", "\n  ") +
       "\n\nSpecify the scene, light and material that the field was sampled with to show the "
-      "path-traced scene beside the lookups (key t) and their PSNR against it.\n\nA video that is "
-      "still being written is shown as soon as it has its coarsest grid of viewpoints, and is "
-      "refined "
-      "as more of them are written."));
+      "path-traced scene beside the lookups (key t) and their PSNR against it.\n\n--color-by, "
+      "--color-map and --range also change the colours of the field's scalars, if it has any.\n\nA "
+      "video that is still being written is shown as soon as it has its coarsest grid of "
+      "viewpoints, and is refined as more of them are written."));
   const auto options = std::make_shared<Options>();
   command
     ->add_option("field", options->Field,
@@ -425,6 +453,7 @@ void AddView(CLI::App& app, Command& chosen)
     ->check(Positive())
     ->transform(Seconds())
     ->type_name(TimePlaceholder);
+  options->Colors.AddBarTo(*command);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

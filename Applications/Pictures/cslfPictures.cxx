@@ -7,6 +7,7 @@
 #include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfTableOptions.h"
+#include "cslfFieldColors.h"
 #include "cslfFrameFiles.h"
 
 #include "cslfSeconds.h"
@@ -69,6 +70,13 @@ void OffscreenWindow::AddActor(vtkActor* actor)
 void OffscreenWindow::SetBackground(const double color[3])
 {
   this->Renderer->SetBackground(color[0], color[1], color[2]);
+}
+
+void OffscreenWindow::AddScalarBar(ScalarBar& bar)
+{
+  const int* size = this->Window->GetSize();
+  bar.Fit(size[0], size[1], this->Renderer->GetBackground());
+  this->Renderer->AddViewProp(bar.GetProp());
 }
 
 void OffscreenWindow::SetDesiredUpdateRate(double rate)
@@ -328,6 +336,17 @@ FieldRenderer::FieldRenderer(const FieldFile& file, int width, int height)
 }
 
 FieldRenderer::~FieldRenderer() = default;
+
+void FieldRenderer::SetColors(const FieldColors& colors)
+{
+  colors.Apply(this->Mapper);
+}
+
+void FieldRenderer::AddScalarBar(const std::string& title)
+{
+  ScalarBar bar(this->Mapper, title);
+  this->Window.AddScalarBar(bar);
+}
 
 void FieldRenderer::SetToneMapping(vtkCSLFToneMapping* toneMapping)
 {

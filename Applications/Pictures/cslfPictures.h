@@ -34,6 +34,9 @@ class vtkRenderer;
 
 namespace cslf::tool
 {
+class FieldColors;
+class ScalarBar;
+
 /// The red, green and blue of a window's picture. Throws a Failure.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
 
@@ -48,6 +51,9 @@ public:
 
   void AddActor(vtkActor* actor);
   void SetBackground(const double color[3]);
+
+  /// Shows a bar in a way that fits the window's size and background.
+  void AddScalarBar(ScalarBar& bar);
 
   /// Like vtkRenderWindow::DesiredUpdateRate, in frames per second.
   void SetDesiredUpdateRate(double rate);
@@ -138,6 +144,12 @@ public:
   /// With its geometry, if it has one.
   FieldRenderer(const FieldFile& file, int width, int height);
   ~FieldRenderer();
+
+  /// The colours of scalars, without their bar.
+  void SetColors(const FieldColors& colors);
+
+  /// Shows their bar. Colours and background must be set before.
+  void AddScalarBar(const std::string& title);
 
   /// The tone mapping of views. By default, colours are shown unchanged.
   void SetToneMapping(vtkCSLFToneMapping* toneMapping);

@@ -3,7 +3,6 @@
 #include "cslfSceneLook.h"
 
 #include "Console/cslfMessages.h"
-#include "Console/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
 #include "vtkCSLFEnvironment.h"
 
@@ -21,31 +20,8 @@ void SceneLook::AddTo(CLI::App& command)
 {
   const std::string group = "Look of scenes from files";
   vtkCSLFSceneLook* filter = this->Filter;
-  command
-    .add_option_function<std::string>(
-      "--color-by",
-      [filter](const std::string& array) { filter->SetColorArrayName(array.c_str()); },
-      "the array that colours the surfaces, of points or else of cells; for one of its components, "
-      "add a colon and its number, x, y, z, its name or magnitude: velocity:x; none: no array "
-      "(default: the file's active scalars, if they vary)")
-    ->option_text("ARRAY[:COMPONENT]")
-    ->group(group);
-  AddOption(command, options::ColorMap, filter, &vtkCSLFSceneLook::SetColorMap)
-    ->type_name("NAME")
-    ->group(group);
-  command
-    .add_option_function<std::vector<double>>(
-      "--range",
-      [filter](const std::vector<double>& range)
-      {
-        filter->AutomaticColorRangeOff();
-        filter->SetColorRange(range[0], range[1]);
-      },
-      "the values of the colour map's ends (default: the array's smallest and largest value)")
-    ->expected(2)
-    ->check(Finite())
-    ->type_name("MIN MAX")
-    ->group(group);
+  this->Colors.AddTo(command, group,
+    { "the file's active scalars, if they vary", "", "the array's smallest and largest value" });
   AddOption(command, options::Light, filter, &vtkCSLFSceneLook::SetLight)
     ->type_name("PRESET")
     ->group(group);
@@ -57,10 +33,13 @@ void SceneLook::AddTo(CLI::App& command)
 vtkSmartPointer<vtkDataObject> SceneLook::Apply(
   const std::vector<vtkSmartPointer<vtkDataObject>>& files) const
 {
-  const double* range = this->Filter->GetColorRange();
-  if (!this->Filter->GetAutomaticColorRange() && !(range[0] < range[1]))
+  this->Colors.CheckRange();
+  this->Filter->SetColorArrayName(this->Colors.Array.c_str());
+  this->Filter->SetColorMap(this->Colors.Map);
+  if (!this->Colors.Range.empty())
   {
-    throw Failure("The first number of --range must be smaller than the second.");
+    this->Filter->AutomaticColorRangeOff();
+    this->Filter->SetColorRange(this->Colors.Range.data());
   }
   this->Filter->RemoveAllInputs();
   for (vtkDataObject* file : files)

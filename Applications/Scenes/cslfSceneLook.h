@@ -7,6 +7,7 @@
 #ifndef cslfSceneLook_h
 #define cslfSceneLook_h
 
+#include "Options/cslfColorOptions.h"
 #include "cslfJSON.h"
 #include "vtkCSLFSceneLook.h"
 
@@ -55,6 +56,8 @@ public:
   /// What the colours of the last scene mean: a list of "array", "component", "range" and "map".
   nlohmann::json GetLegend() const;
 
+  const ColorOptions& GetColors() const { return this->Colors; }
+
   /// Whether the command line chooses the light.
   bool IsLightGiven() const;
 
@@ -64,6 +67,7 @@ public:
   SceneAxes GetAxes() const;
 
 private:
+  ColorOptions Colors;
   vtkSmartPointer<vtkCSLFSceneLook> Filter = vtkSmartPointer<vtkCSLFSceneLook>::New();
 };
 

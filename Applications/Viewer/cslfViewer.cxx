@@ -109,7 +109,12 @@ namespace
 {
 constexpr double ExposureStep = 1.25;
 
+///@{
+/// Of the viewer's texts, in pixels; and the most lines of figures.
 constexpr int FontSize = 15;
+constexpr int LineHeight = 18;
+constexpr int StateLines = 4;
+///@}
 
 void Place(vtkTextActor* text, double x, double y)
 {
@@ -159,7 +164,8 @@ std::string Viewer::GetHelp()
   }
   return "1 to " + std::to_string(GetLookups().size()) + lookups +
     "\ns: all lookups side by side, or one\nt: path-traced scene (with --scene)\no: outline of "
-    "the cube   a: axes   v: viewpoints\n[ and ]: exposure   m: tone mapping\ni: figures   p: "
+    "the cube   a: axes   v: viewpoints\nb: scalar bar (of fields with scalars)\n[ and ]: exposure "
+    "  m: tone mapping\ni: figures   p: "
     "write a picture   h: this help\nleft button: rotate, middle: pan, right or wheel: zoom\nr: "
     "reset the camera   q: quit";
 }
@@ -324,6 +330,28 @@ void Viewer::ShowToneMapping()
   this->ShowTruth();
 }
 
+void Viewer::SetColors(const FieldColors& colors, bool hasBar)
+{
+  colors.Apply(this->Mapper);
+  if (!colors.GetTitle().empty())
+  {
+    this->Bar = std::make_unique<ScalarBar>(this->Mapper, colors.GetTitle());
+    this->Bar->GetProp()->SetVisibility(hasBar);
+    this->Overlay->AddViewProp(this->Bar->GetProp());
+  }
+}
+
+// The bar is as large as the window and the figures below allow, which users may change.
+void Viewer::FitScalarBar()
+{
+  if (this->Bar)
+  {
+    const int* size = this->Window->GetSize();
+    const int lowest = this->ShowsState ? StateLines * LineHeight : 0;
+    this->Bar->Fit(size[0], size[1], this->Backdrop->GetBackground(), lowest);
+  }
+}
+
 bool Viewer::Press(char key)
 {
   vtkCSLFToneMapping* tone = this->Mapper->GetToneMapping();
@@ -345,6 +373,12 @@ bool Viewer::Press(char key)
       return true;
     case 'v':
       Toggle(this->Markers);
+      return true;
+    case 'b':
+      if (this->Bar)
+      {
+        Toggle(this->Bar->GetProp());
+      }
       return true;
     case '[':
       tone->SetExposure(tone->GetExposure() / ExposureStep);
@@ -380,6 +414,7 @@ bool Viewer::Press(char key)
 void Viewer::Render()
 {
   this->ShowState();
+  this->FitScalarBar();
   this->Window->Render();
 }
 

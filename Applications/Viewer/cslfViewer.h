@@ -8,6 +8,7 @@
 #ifndef cslfViewer_h
 #define cslfViewer_h
 
+#include "Pictures/cslfFieldColors.h"
 #include "Pictures/cslfPictures.h"
 #include "cslfDescription.h"
 #include "cslfRefiningTruth.h"
@@ -73,6 +74,9 @@ public:
   void SetLookup(int lookup);
   void SetToneMapping(vtkCSLFToneMapping* toneMapping);
 
+  /// The colours of scalars, and whether their bar is shown at first.
+  void SetColors(const FieldColors& colors, bool hasBar);
+
   /// Performs the action of a key, without drawing. False if the key has none. Throws a Failure.
   bool Press(char key);
 
@@ -108,6 +112,7 @@ private:
   void AddOverlay();
   void Arrange();
   void ShowState();
+  void FitScalarBar();
   void ShowTruth();
   void Measure();
   double MeasureLookup(int lookup, Pane* place);
@@ -124,6 +129,7 @@ private:
   vtkNew<vtkRenderer> Overlay;
   vtkNew<vtkTextActor> HelpText;
   vtkNew<vtkTextActor> StateText;
+  std::unique_ptr<ScalarBar> Bar; ///< null if the field has no scalars
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> FieldActor;
   vtkSmartPointer<vtkProp> Outline;

@@ -4,9 +4,9 @@
 
 #include "Options/cslfOptionTable.h"
 #include "cslfJoin.h"
+#include "cslfNamedColorMaps.h"
 
 #include <vtkCellData.h>
-#include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
@@ -17,7 +17,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -31,7 +30,6 @@ constexpr int Magnitude = -1;
 constexpr const char* MagnitudeName = "magnitude";
 constexpr const char* NoArray = "none";
 constexpr int AutomaticColors = 0;
-constexpr int CoolToWarm = 1;
 
 ///@{
 /// The columns of a legend.
@@ -41,68 +39,6 @@ constexpr const char* MinimumColumn = "minimum";
 constexpr const char* MaximumColumn = "maximum";
 constexpr const char* MapColumn = "map";
 ///@}
-
-// Enough for any map to be continuous in 8 bits.
-constexpr int TableSize = 1024;
-
-// The colour of values that are not numbers.
-constexpr double NanGray = 0.6;
-
-using Levels = std::array<int, 3>; // of red, green and blue, from 0 to 255
-
-/// The colours of a map in equal distances. Perceptually uniform maps are sampled where they bend.
-const std::vector<Levels>& GetColors(const std::string& name)
-{
-  static const std::map<std::string, std::vector<Levels>> maps = {
-    { "cool-to-warm", { { 59, 76, 192 }, { 221, 221, 221 }, { 180, 4, 38 } } },
-    { "viridis",
-      { { 68, 1, 84 }, { 71, 44, 122 }, { 59, 81, 139 }, { 44, 113, 142 }, { 33, 144, 141 },
-        { 39, 173, 129 }, { 92, 200, 99 }, { 170, 220, 50 }, { 253, 231, 37 } } },
-    { "plasma",
-      { { 13, 8, 135 }, { 84, 2, 163 }, { 139, 10, 165 }, { 185, 50, 137 }, { 219, 92, 104 },
-        { 244, 136, 73 }, { 254, 188, 43 }, { 240, 249, 33 } } },
-    { "inferno",
-      { { 0, 0, 4 }, { 31, 12, 72 }, { 85, 15, 109 }, { 136, 34, 106 }, { 186, 54, 85 },
-        { 227, 89, 51 }, { 249, 140, 10 }, { 249, 201, 50 }, { 252, 255, 164 } } },
-    { "gray", { { 0, 0, 0 }, { 255, 255, 255 } } },
-    // VTK makes it itself.
-    { "rainbow", {} },
-  };
-  return maps.at(name);
-}
-
-vtkSmartPointer<vtkLookupTable> MakeTable(const std::string& name, const double range[2])
-{
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(TableSize);
-  const std::vector<Levels>& points = GetColors(name);
-  if (points.empty())
-  {
-    table->SetHueRange(0.667, 0.0);
-    table->ForceBuild();
-  }
-  else
-  {
-    vtkNew<vtkColorTransferFunction> colors;
-    points.size() == 2     ? colors->SetColorSpaceToRGB()
-      : points.size() == 3 ? colors->SetColorSpaceToDiverging()
-                           : colors->SetColorSpaceToLab();
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      colors->AddRGBPoint(static_cast<double>(i) / static_cast<double>(points.size() - 1),
-        points[i][0] / 255.0, points[i][1] / 255.0, points[i][2] / 255.0);
-    }
-    for (int i = 0; i < TableSize; ++i)
-    {
-      double color[3];
-      colors->GetColor(i / (TableSize - 1.0), color);
-      table->SetTableValue(i, color[0], color[1], color[2]);
-    }
-  }
-  table->SetTableRange(range[0], range[1]);
-  table->SetNanColor(NanGray, NanGray, NanGray, 1.0);
-  return table;
-}
 
 std::string GetName(vtkAbstractArray* array)
 {
@@ -347,8 +283,9 @@ void SurfaceColoring::MapArrays(
     range[0] = value - half;
     range[1] = value + half;
   }
-  const char* map = options::ColorMap.Names[std::max(this->ColorMap, CoolToWarm)];
-  const auto table = MakeTable(map, range);
+  vtkNew<vtkLookupTable> table;
+  const char* map = SetUpLookupTable(this->ColorMap, table);
+  table->SetTableRange(range);
   component == Magnitude ? table->SetVectorModeToMagnitude() : table->SetVectorModeToComponent();
   table->SetVectorComponent(std::max(component, 0));
   for (vtkPolyData* surface : surfaces)

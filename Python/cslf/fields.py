@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCSLF
 from .arguments import find_name, get_file_name
+from .colors import color_scalars
 from .messages import Messages
 from .scenes import READERS, is_scene_name, missing_file
 
@@ -69,15 +70,24 @@ def connect_field(field, mapper):
                         f"port or image data, not a {type(field).__name__}: bake scenes first.")
 
 
-def make_actor(field, lookup="Geometry"):
+def make_actor(field, lookup="Geometry", *, scalars=None, cmap=None, clim=None):
     """Returns a ``vtkActor`` that draws a light field.
 
     ``field`` is the name of a video, of image data (``.vti``) or of a folder of images, a
     ``LightField``, an algorithm that makes a field, such as ``vtkCSLFSampler``, or its output port,
     or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal``, ``Depth`` or
-    ``Geometry``, which is ``Depth`` for fields without geometry. Raises ``FileNotFoundError`` if
-    there is no such file, ``TypeError`` if ``field`` is of another kind, and ``ValueError`` if it
-    is not a light field or the lookup is unknown.
+    ``Geometry``, which is ``Depth`` for fields without geometry.
+
+    Fields of scenes with a colour map have scalars, which the lookup ``Geometry`` shows in other
+    colours, too. ``scalars`` is the array that is meant, such as ``"speed"`` or ``"velocity:x"``;
+    by default all. ``cmap`` is ``"cool-to-warm"``, ``"viridis"``, ``"plasma"``, ``"inferno"``,
+    ``"gray"``, ``"rainbow"``, another name that matplotlib knows, if it is installed, or a
+    ``vtkScalarsToColors``. ``clim`` is the pair of values at its ends. What is None remains as it
+    was sampled.
+
+    Raises ``FileNotFoundError`` if there is no such file, ``TypeError`` if an argument is of
+    another kind, and ``ValueError`` if ``field`` is not a light field, a name is unknown, or the
+    field has no scalars to colour.
     """
     lookup = find_name(lookup, LOOKUPS, "lookup")
     mapper = vtkCSLF.vtkCSLFMapper()
@@ -90,4 +100,5 @@ def make_actor(field, lookup="Geometry"):
     if messages.errors or bounds is None or bounds[0] > bounds[1]:
         raise ValueError(messages.errors[0] if messages.errors
                          else "The field is not a light field: bake scenes first.")
+    color_scalars(mapper, scalars, cmap, clim)
     return actor

@@ -12,6 +12,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 from .arguments import check_kind, get_color, get_file_name, get_size, get_vector
+from .colors import make_scalar_bar
 from .fields import make_actor
 
 # From the front, a little to the right and above.
@@ -91,7 +92,8 @@ def find_view_up(view, up):
 
 
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
-         background="#1a1a1f", lookup="Geometry"):
+         background="#1a1a1f", lookup="Geometry", scalars=None, cmap=None, clim=None,
+         show_scalar_bar=False):
     """Draws a view of a light field and returns it as a Picture.
 
     ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
@@ -100,7 +102,9 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     picture, and ``focal_point`` the point that it looks at, by default the centre of what is drawn.
     ``background`` is the name of a colour in HTML,
     such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
-    ``lookup``, and what is raised if there is no such field, are as in ``make_actor``.
+    ``lookup``, ``scalars``, ``cmap`` and ``clim``, and what is raised if there is no such field, are
+    as in ``make_actor``. ``show_scalar_bar`` is whether to draw a bar with the colours and values
+    of the scalars.
 
     Raises ``TypeError`` for arguments of a wrong kind, ``ValueError`` for those out of range, and
     ``RuntimeError`` if nothing can be drawn.
@@ -110,12 +114,15 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     view_up = get_vector(view_up, "view_up")
     position = None if position is None else get_vector(position, "position")
     focal_point = None if focal_point is None else get_vector(focal_point, "focal_point")
-    actor = make_actor(field, lookup)
+    check_kind(show_scalar_bar, bool, "show_scalar_bar", "True or False")
+    actor = make_actor(field, lookup, scalars=scalars, cmap=cmap, clim=clim)
     bounds = actor.GetBounds()
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
     renderer = vtkRenderer()
     renderer.SetBackground(*background)
     renderer.AddActor(actor)
+    if show_scalar_bar:
+        renderer.AddViewProp(make_scalar_bar(actor.GetMapper(), scalars, size, background))
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)

@@ -36,15 +36,16 @@ class PlotterComponent:
         field = bake(self._plotter, file_name, **arguments)
         return pyvista.wrap(field.image) if file_name is None else file_name
 
-    def add_light_field(self, field, *, lookup="Geometry", **arguments):
+    def add_light_field(self, field, *, lookup="Geometry", scalars=None, cmap=None, clim=None,
+                        **arguments):
         """Adds an actor of a light field to the active renderer, and returns it.
 
-        ``field`` and ``lookup`` are as in ``cslf.make_actor``. Further arguments (``name``,
+        ``field``, ``lookup``, ``scalars``, ``cmap`` and ``clim`` are as in ``cslf.make_actor``. Further arguments (``name``,
         ``reset_camera``, ``pickable``, ``render``) are those of ``Plotter.add_actor``. Raises
         ``FileNotFoundError`` if there is no such file, and ``ValueError`` if it is not a light
         field.
         """
-        actor = make_actor(field, lookup)
+        actor = make_actor(field, lookup, scalars=scalars, cmap=cmap, clim=clim)
         self._plotter.add_actor(actor, **arguments)
         return actor
 

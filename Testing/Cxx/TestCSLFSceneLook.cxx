@@ -284,6 +284,27 @@ void TestErrors()
   ExpectError(look, "is a light field, not a scene");
 }
 
+/// Tables get the colours of a map, and nothing else.
+void TestLookupTable()
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(3.0, 4.0);
+  for (int map = 0; map < Look::NUMBER_OF_COLOR_MAPS; ++map)
+  {
+    Look::SetUpLookupTable(map, table);
+    CSLF_CHECK(table->GetTableRange()[0] == 3.0 && table->GetTableRange()[1] == 4.0);
+    double color[3];
+    table->GetColor(3.0, color);
+    const bool isBlue = color[2] > color[0] && color[2] > color[1];
+    CSLF_CHECK(isBlue == (map != Look::Gray));
+  }
+  const vtkMTimeType time = table->GetMTime();
+  Look::SetUpLookupTable(Look::NUMBER_OF_COLOR_MAPS, table);
+  Look::SetUpLookupTable(-1, table);
+  Look::SetUpLookupTable(Look::Gray, nullptr);
+  CSLF_CHECK(table->GetMTime() == time);
+}
+
 void TestNames()
 {
   CSLF_CHECK(std::string(Look::GetColorMapName(Look::Rainbow)) == "rainbow");
@@ -310,6 +331,7 @@ int TestCSLFSceneLook(int, char*[])
   TestComposite();
   TestLights();
   TestErrors();
+  TestLookupTable();
   TestNames();
   return cslf::testing::Result();
 }

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldScalars.h"
+
+#include "Pipeline/cslfColorMap.h"
+#include "cslfFieldFiles.h"
+#include "cslfJoin.h"
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <sstream>
+
+namespace cslf::tool
+{
+namespace
+{
+/// The name of a component on the command line, and in geometries.
+constexpr const char* MagnitudeOption = "magnitude";
+constexpr const char* MagnitudeComponent = "Magnitude";
+
+FieldScalars MakeScalars(const ColorMap& map)
+{
+  FieldScalars scalars;
+  scalars.Array = map.Array;
+  scalars.Component = map.Component == MagnitudeComponent ? MagnitudeOption : map.Component;
+  scalars.ScalarName = map.GetScalarName();
+  std::copy_n(map.Range, 2, scalars.MapRange.begin());
+  scalars.IsLogarithmic = map.IsLogarithmic;
+  return scalars;
+}
+
+void AddValue(FieldScalars& scalars, double value)
+{
+  ++scalars.Points;
+  if (std::isfinite(value))
+  {
+    const auto range = scalars.Range.value_or(std::array<double, 2>{ value, value });
+    scalars.Range = { std::min(range[0], value), std::max(range[1], value) };
+  }
+}
+
+/// A component's number, if the text is the letter of one of the first three.
+std::string ReadComponent(const std::string& component)
+{
+  const std::size_t letter = std::string("xyz").find(component);
+  return component.size() == 1 && letter != std::string::npos ? std::to_string(letter) : component;
+}
+}
+
+std::string FieldScalars::GetLabel() const
+{
+  const std::string& name = this->Array.empty() ? this->ScalarName : this->Array;
+  return this->Component.empty() ? name : name + ":" + this->Component;
+}
+
+bool FieldScalars::IsMeantBy(const std::string& text) const
+{
+  if (text == this->Array || text == this->GetLabel())
+  {
+    return true;
+  }
+  const std::size_t colon = text.rfind(':');
+  return colon != std::string::npos && text.substr(0, colon) == this->Array &&
+    ReadComponent(text.substr(colon + 1)) == this->Component;
+}
+
+std::vector<FieldScalars> ListScalars(const FieldFile& file)
+{
+  std::vector<FieldScalars> list;
+  vtkPolyData* geometry = file.ReadGeometry();
+  if (!geometry)
+  {
+    return list;
+  }
+  const MappedPoints points = FindMappedPoints(geometry);
+  for (const ColorMap& map : points.Maps)
+  {
+    list.push_back(MakeScalars(map));
+  }
+  for (std::size_t i = 0; i < points.Numbers.size(); ++i)
+  {
+    if (points.Has(i))
+    {
+      AddValue(list[points.Numbers[i] - 1], points.Scalars[i]);
+    }
+  }
+  return list;
+}
+
+std::string ListLabels(const std::vector<FieldScalars>& scalars)
+{
+  std::set<std::string> labels;
+  for (const FieldScalars& each : scalars)
+  {
+    labels.insert(each.GetLabel());
+  }
+  return Join(labels);
+}
+
+nlohmann::json Summarize(const FieldScalars& scalars)
+{
+  nlohmann::json json = { { "array", scalars.Array }, { "points", scalars.Points },
+    { "range", nullptr }, { "map_range", scalars.MapRange },
+    { "logarithmic", scalars.IsLogarithmic } };
+  if (!scalars.Component.empty())
+  {
+    json["component"] = scalars.Component;
+  }
+  if (scalars.Range)
+  {
+    json["range"] = *scalars.Range;
+  }
+  return json;
+}
+
+std::string Describe(const FieldScalars& scalars)
+{
+  std::ostringstream text;
+  text << scalars.GetLabel() << ", " << scalars.Points << " points";
+  if (scalars.Range)
+  {
+    text << " from " << (*scalars.Range)[0] << " to " << (*scalars.Range)[1];
+  }
+  text << ", colour map from " << scalars.MapRange[0] << " to " << scalars.MapRange[1]
+       << (scalars.IsLogarithmic ? ", logarithmic" : "");
+  return text.str();
+}
+}
