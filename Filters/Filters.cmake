@@ -65,7 +65,7 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry BodyGroups GeometryCodec GeometryTexels GeometryFit GeometryRays
-  MapCodes)
+  MapCodes ShownRays)
 cslf_add(Filters/Coding/Containers
   ContainerReader FileHeader FileParts MovieBoxes)
 cslf_add(Filters/Coding/Frames
