@@ -94,6 +94,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/SceneData/vtkCSLFMaterial
     ../Filters/vtkCSLFCornellBoxSource
     ../Filters/vtkCSLFEnvironment
+    ../Filters/vtkCSLFFieldCertifier
     ../Filters/vtkCSLFFieldReference
     ../Filters/vtkCSLFGLTFReader
     ../Filters/vtkCSLFImageReader
@@ -129,6 +130,8 @@ if (CSLF_ENABLE_SAMPLER)
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles)
+  # How well fields show their scenes.
+  cslf_add(Filters/Certificate Certifier PixelBeams ShownPixels)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
