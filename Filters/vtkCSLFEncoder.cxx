@@ -12,6 +12,7 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
+#include "cslfDescription.h"
 #include "cslfJSON.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFPathTracer.h"

@@ -20,7 +20,8 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <utility>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkCSLFFieldCertifier);
 cslfSetClampMacro(vtkCSLFFieldCertifier, Rays, 2, 10000000);

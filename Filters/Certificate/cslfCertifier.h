@@ -42,7 +42,7 @@ struct TracedPixel
 struct CertificateSettings
 {
   int Rays = 4096;
-  int Samples = TracedPixel::PathStep; ///< of a ray, rounded up to a multiple of PathStep
+  int Samples = 256; ///< paths of a ray, rounded up to a multiple of PathStep
   int Seed = 0;
 };
 

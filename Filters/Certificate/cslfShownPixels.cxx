@@ -11,7 +11,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 

@@ -7,7 +7,6 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "Lookup/cslfLookup.h"
 #include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfColor.h"

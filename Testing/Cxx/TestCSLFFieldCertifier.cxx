@@ -395,9 +395,9 @@ void TestBad()
 }
 }
 
-int TestCSLFCertificate(int argc, char* argv[])
+int TestCSLFFieldCertifier(int argc, char* argv[])
 {
-  const std::string folder = cslf::testing::MakeFolder(argc, argv, "Certificate");
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "FieldCertifier");
   TestComparison();
   TestBeams();
   TestDiffuse(folder);
