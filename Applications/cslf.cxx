@@ -16,6 +16,7 @@ int main(int argc, char* argv[])
     "\"cslf COMMAND --help\" explains a command.\n\nExit codes: 0: success. 2: a field's file "
     "lacks viewpoints, and --allow-missing was not given. 1: any other error.");
   program.Commands = { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace,
-    AddCompare, AddInfo, AddView, AddEvaluate, AddSheet, AddExport, AddScenes, AddCompletion };
+    AddCompare, AddInfo, AddView, AddEvaluate, AddVerify, AddSheet, AddExport, AddScenes,
+    AddCompletion };
   return RunProgram(program, argc, argv);
 }

@@ -27,6 +27,7 @@ void AddEvaluate(CLI::App& app, Command& chosen);
 void AddScenes(CLI::App& app, Command& chosen);
 void AddSheet(CLI::App& app, Command& chosen);
 void AddExport(CLI::App& app, Command& chosen);
+void AddVerify(CLI::App& app, Command& chosen);
 ///@}
 }
 

@@ -65,7 +65,7 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry
-  BodyGroups GeometryCodec GeometryFit GeometryRays GeometryStreams GeometryTexels MapCodes)
+  BodyGroups GeometryCodec GeometryFit GeometryRays GeometryStreams GeometryTexels MapCodes ShownRays)
 cslf_add(Filters/Coding/Containers
   ContainerReader FileHeader FileParts MovieBoxes)
 cslf_add(Filters/Coding/Frames
@@ -94,6 +94,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/SceneData/vtkCSLFMaterial
     ../Filters/vtkCSLFCornellBoxSource
     ../Filters/vtkCSLFEnvironment
+    ../Filters/vtkCSLFFieldCertifier
     ../Filters/vtkCSLFFieldReference
     ../Filters/vtkCSLFGLTFReader
     ../Filters/vtkCSLFImageReader
@@ -129,6 +130,8 @@ if (CSLF_ENABLE_SAMPLER)
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles)
+  # How well fields show their scenes.
+  cslf_add(Filters/Certificate Certifier PixelBeams ShownPixels)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)

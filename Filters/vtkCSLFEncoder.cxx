@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFEncoder.h"
 
+#include "Certificate/cslfCertifier.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Coding/Writing/cslfEncodeSession.h"
 #include "Options/cslfOption.h"
@@ -11,6 +12,10 @@
 #include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfVTKCompatibility.h"
+#include "cslfDescription.h"
+#include "cslfJSON.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
@@ -44,6 +49,27 @@ std::optional<int> GetBakeQuality(vtkAlgorithm* filter)
   return filter->GetNumberOfOutputPorts() > 0
     ? cslf::GetBakeQuality(filter->GetOutputInformation(0))
     : std::nullopt;
+}
+
+/// The filter that traces the scene of a connection's field, or null.
+vtkSmartPointer<vtkCSLFPathTracer> FindTracer(vtkAlgorithmOutput* connection)
+{
+  for (const auto& producer : cslf::FindProducers(connection))
+  {
+    if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(producer))
+    {
+      return tracer;
+    }
+  }
+  return nullptr;
+}
+
+/// The hash of a field's scene. Empty if it is not recorded.
+std::string FindScene(const cslf::Description& field)
+{
+  const auto sampling = nlohmann::json::parse(field.Sampling, nullptr, false);
+  const auto scene = sampling.find("scene");
+  return scene != sampling.end() && scene->is_string() ? scene->get<std::string>() : std::string();
 }
 
 /// Lends a keeper to the filters that bake and feed a connection while this object exists. They
@@ -90,6 +116,7 @@ vtkCSLFEncoder::vtkCSLFEncoder()
   , GroupLength(options::GroupLength.Default)
   , Lossless(options::Lossless.Default)
   , DepthFromGeometry(options::DepthFromGeometry.Default)
+  , Certificate(options::Certificate.Default)
   , Restart(options::Restart.Default)
 {
   this->SetNumberOfInputPorts(2);
@@ -215,6 +242,10 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, field, others)
                                                         : std::nullopt;
   };
+  if (this->Certificate && FindTracer(job.Connection))
+  {
+    job.Certify = [this](const std::string& fileName) { return this->Certify(fileName); };
+  }
   job.Reporter = this;
   this->NumberOfGroups = 0;
   this->ResumedGroups = 0;
@@ -243,6 +274,44 @@ std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
     return std::nullopt;
   }
   return part;
+}
+
+// Measures a finished file. Nothing if it is not of the scene of the sampler that feeds the
+// encoder.
+std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& fileName)
+{
+  const vtkSmartPointer<vtkCSLFPathTracer> tracer = FindTracer(this->GetInputConnection(0, 0));
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  decoder->Update(1);
+  std::string error;
+  const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
+  if (!field || FindScene(*field) != tracer->GetSceneHash())
+  {
+    return std::nullopt;
+  }
+  cslf::Phase phase(this, "Comparing the file with the scene", cslf::FileAssembler::MeasuredShare);
+  const auto trace = [&tracer](const std::vector<cslf::PixelBeam>& beams, int samples, int seed,
+                       const cslf::Progress& report, std::vector<cslf::TracedPixel>& pixels)
+  { return tracer->TracePixels(beams, samples, seed, report, pixels); };
+  const auto report = [&phase](double share) { return phase.Report(share); };
+  cslf::Certificate certificate;
+  const auto measure = [&]
+  {
+    return cslf::MeasureCertificate(
+      decoder->GetOutputPort(0), decoder->GetGeometry(), trace, {}, report, certificate, error);
+  };
+  if (!cslf::Guard(measure, error))
+  {
+    // The file is as good without it.
+    if (!error.empty())
+    {
+      vtkWarningMacro("The file has no certificate: " << error);
+    }
+    return std::nullopt;
+  }
+  certificate.Scene = tracer->GetSceneHash();
+  return certificate;
 }
 
 bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)
@@ -444,6 +513,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GroupLength: " << this->GroupLength << "\n";
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
   os << indent << "DepthFromGeometry: " << (this->DepthFromGeometry ? "On" : "Off") << "\n";
+  os << indent << "Certificate: " << (this->Certificate ? "On" : "Off") << "\n";
   os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
   os << indent << "Overwrite: " << (this->Overwrite ? "On" : "Off") << "\n";

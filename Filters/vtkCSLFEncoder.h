@@ -60,12 +60,15 @@
  * ranks, and no other rank accesses a file. Rank 0 reports the progress and can abort. If one rank
  * fails, all fail. The lowest failing rank reports its error, and Write returns 0 on all.
  *
+ * If a vtkCSLFSampler feeds the input, the finished file is compared with the sampler's scene, and
+ * carries the result (Certificate). Rank 0 does it.
+ *
  * During Write, GetProgressText() is the name of the phase, also of those of the filters that feed
  * the input, and GetProgress() the share of all work, of these filters, too. AbortExecuteOn() ends
  * each phase within about a second, also theirs, and Write returns 0 with an error.
  *
  * @sa
- * vtkCSLFDecoder vtkCSLFRateControl vtkCSLFSampler
+ * vtkCSLFDecoder vtkCSLFFieldCertifier vtkCSLFRateControl vtkCSLFSampler
  */
 #ifndef vtkCSLFEncoder_h
 #define vtkCSLFEncoder_h
@@ -88,6 +91,7 @@ class vtkUnsignedCharArray;
 namespace cslf
 {
 class EncodeSession;
+struct Certificate;
 struct Description;
 struct EncodeError;
 struct EncodeJob;
@@ -218,6 +222,19 @@ public:
 
   ///@{
   /**
+   * Set/get whether a field that comes from a vtkCSLFSampler is compared with its scene when the
+   * file is finished, and the file carries the result in the field's description: a certificate,
+   * see vtkCSLFFieldCertifier. It takes about a second and, of fields whose geometry does not show
+   * everything, a decoding. Fields without a sampler, or whose description names another scene than
+   * the sampler has, have none. Default: on.
+   */
+  vtkSetMacro(Certificate, bool);
+  vtkGetMacro(Certificate, bool);
+  vtkBooleanMacro(Certificate, bool);
+  ///@}
+
+  ///@{
+  /**
    * Additional parts that files carry besides the light field, such as a mesh of the scene or a
    * table. A part consists of bytes and a media type such as "model/gltf-binary" or "text/csv". A
    * name distinguishes parts of the same type. Type and name may have at most 100 bytes of UTF-8,
@@ -341,6 +358,7 @@ private:
 
   class PartList;
   std::string FindPreset();
+  std::optional<cslf::Certificate> Certify(const std::string& fileName);
   cslf::EncodeError FindError();
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeSession& session);
@@ -360,6 +378,7 @@ private:
   int GroupLength;
   bool Lossless;
   bool DepthFromGeometry;
+  bool Certificate;
   bool Restart;
   bool Overwrite = true;
   double ActualCRF = 0.0;

@@ -156,7 +156,8 @@ bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& erro
     isGood = stream.Read(slabs[k]);
     if (isGood && k == 0)
     {
-      const cslf::Description& description = stream.GetDescription();
+      cslf::Description description = stream.GetDescription();
+      description.Measured.reset(); // with the geometry, which folders do not have
       isGood = cslf::CheckCubeMapChannels(description, error) &&
         cslf::WriteCubeMapDescription(folder, { description, whole }, error);
     }

@@ -69,8 +69,10 @@ class ViewpointSamples;
 struct BuiltScene;
 struct CheckedPicture;
 struct PictureLayout;
+struct PixelBeam;
 struct RayGrid;
 struct RenderSettings;
+struct TracedPixel;
 }
 
 class VTKCSLF_EXPORT vtkCSLFPathTracer : public vtkImageAlgorithm
@@ -381,6 +383,21 @@ public:
   vtkGetMacro(CacheProbeSeconds, double);
   vtkGetMacro(ExpectedCacheSeconds, double);
   ///@}
+
+  /**
+   * The hash of the scene of the last update, which is in the record of the sampling. Empty if
+   * there is no scene.
+   */
+  std::string GetSceneHash();
+
+  /**
+   * Traces all paths, whatever the Integrator, of some pixels of the scene of the last update, with
+   * its light, MaximumDepth and Exposure. Returns false if `progress`, which gets numbers from 0 to
+   * 1, does. Used by vtkCSLFEncoder and vtkCSLFFieldCertifier.
+   */
+  VTK_WRAPEXCLUDE
+  bool TracePixels(const std::vector<cslf::PixelBeam>& beams, int samples, int seed,
+    const std::function<bool(double)>& progress, std::vector<cslf::TracedPixel>& pixels);
 
 protected:
   vtkCSLFPathTracer();

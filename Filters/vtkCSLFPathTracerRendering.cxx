@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // How vtkCSLFPathTracer renders pictures and single rays for its subclasses.
+#include "Certificate/cslfCertifier.h"
+#include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfPhase.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFPathTracerInternals.h"
@@ -11,6 +15,37 @@
 #include <algorithm>
 #include <chrono>
 #include <vector>
+
+namespace
+{
+/// Makes the random numbers of single pixels differ from those of pictures with the same seed.
+constexpr std::uint64_t PixelSalt = 0x506978656c426561u;
+
+/// The pixels traced at once: enough to keep many threads busy.
+constexpr std::size_t ChunkPixels = 4096;
+
+/// A pixel's rays in the scene, as cells that share its area.
+cslf::RayGrid MakeRays(const cslf::PixelBeam& beam, const cslf::SceneFrame& frame)
+{
+  cslf::RayGrid rays;
+  rays.Origin = frame.PointToScene(beam.Eye);
+  rays.Direction = frame.VectorToScene(beam.Corner);
+  rays.DirectionX = frame.VectorToScene(beam.Right);
+  rays.DirectionY = frame.VectorToScene(beam.Up);
+  return cslf::MakeTexelRays(rays, 0, 0, cslf::TracedPixel::CellsPerSide);
+}
+
+/// The mean of a part of a pixel, whose cells these are.
+glm::dvec4 MeanOf(const float* cells, int count)
+{
+  glm::dvec4 sum(0.0);
+  for (int cell = 0; cell < count; ++cell, cells += 4)
+  {
+    sum += glm::dvec4(cells[0], cells[1], cells[2], cells[3]);
+  }
+  return sum / static_cast<double>(count);
+}
+}
 
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
 {
@@ -114,4 +149,57 @@ bool vtkCSLFPathTracer::RenderRays(const cslf::CheckedPicture& whole,
   return this->RenderTexels(
     { 1, 1, 1, 0, static_cast<int>(rays.size()) }, settings,
     [&rays](int slice, int) { return rays[slice]; }, output, name);
+}
+
+std::string vtkCSLFPathTracer::GetSceneHash()
+{
+  return this->Internals->SceneKey.empty() ? "" : this->Internals->Scene.Fingerprint;
+}
+
+// A part of a pixel is a slice of a picture. Its number determines its random numbers.
+bool vtkCSLFPathTracer::TracePixels(const std::vector<cslf::PixelBeam>& beams, int samples,
+  int seed, const std::function<bool(double)>& progress, std::vector<cslf::TracedPixel>& pixels)
+{
+  constexpr int side = cslf::TracedPixel::CellsPerSide;
+  constexpr int cells = side * side;
+  constexpr int parts = cslf::TracedPixel::Parts;
+  const cslf::BuiltScene& scene = this->Internals->Scene;
+  if (this->GetSceneHash().empty())
+  {
+    return false;
+  }
+  cslf::RenderSettings settings = this->GetRenderSettings();
+  settings.Samples = std::max(1, samples / cslf::TracedPixel::PathStep);
+  settings.NoiseTarget = 0.0;
+  settings.Seed =
+    static_cast<std::uint32_t>(cslf::MixBits(PixelSalt, static_cast<std::uint32_t>(seed)));
+  pixels.resize(beams.size());
+  for (std::size_t first = 0; first < beams.size(); first += ChunkPixels)
+  {
+    const std::size_t count = std::min(ChunkPixels, beams.size() - first);
+    cslf::ViewpointSamples output;
+    output.SetArray(cslf::KnownChannel::Color,
+      cslf::MakeArray(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT),
+        static_cast<vtkIdType>(cells * parts * count)));
+    const cslf::PictureLayout layout{ side, side, 1, static_cast<int>(parts * first),
+      static_cast<int>(parts * count) };
+    const cslf::TexelRenderer renderer(
+      *scene.World, layout, settings,
+      [&](int slice, int) { return MakeRays(beams[slice / parts], scene.Frame); }, output);
+    const auto report = [&](double share)
+    {
+      const double done = static_cast<double>(first) + share * static_cast<double>(count);
+      return progress(done / static_cast<double>(beams.size()));
+    };
+    if (!renderer.Render(report))
+    {
+      return false;
+    }
+    const float* colors = output.Get<float>(cslf::KnownChannel::Color);
+    for (std::size_t k = 0; k < parts * count; ++k)
+    {
+      pixels[first + k / parts].Means[k % parts] = MeanOf(colors + 4 * cells * k, cells);
+    }
+  }
+  return true;
 }

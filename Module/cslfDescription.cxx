@@ -161,6 +161,7 @@ namespace
 using JSON = nlohmann::json;
 
 constexpr const char* FormatName = "cube surface light field";
+constexpr const char* CertificateKey = "certificate";
 
 struct TypeName
 {
@@ -285,6 +286,10 @@ Description Parse(const JSON& json)
     throw std::invalid_argument("its \"sampling\" is not an object");
   }
   description.Sampling = sampling.dump();
+  if (json.contains(CertificateKey))
+  {
+    description.Measured = Certificate::FromJSON(json.at(CertificateKey));
+  }
   const std::string fault = description.FindError();
   if (!fault.empty())
   {
@@ -389,6 +394,10 @@ nlohmann::json Description::ToJSON() const
   if (this->SceneBounds)
   {
     json["bounds"] = *this->SceneBounds;
+  }
+  if (this->Measured)
+  {
+    json[CertificateKey] = this->Measured->ToJSON();
   }
   return json;
 }

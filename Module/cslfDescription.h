@@ -8,6 +8,7 @@
 #ifndef cslfDescription_h
 #define cslfDescription_h
 
+#include "cslfCertificate.h"
 #include "cslfChannel.h"
 #include "cslfCube.h"
 #include "cslfJSONForward.h"
@@ -60,6 +61,8 @@ struct VTKCSLF_EXPORT Description
   std::vector<Channel> Channels;
   /// Sampling and scene parameters, a JSON object as text, for the record.
   std::string Sampling = "{}";
+  /// How well a coded file shows the scene. Whoever changes samples drops it.
+  std::optional<Certificate> Measured;
   /// The channels that were left out of `Channels` because this version does not know their type.
   std::vector<std::string> Unknown;
 

@@ -125,6 +125,10 @@ Result Run(const std::string& fileName)
   {
     table.AddRow({ name, value.dump() });
   }
+  if (file.Field.Measured)
+  {
+    table.AddRow({ "certificate", file.Field.Measured->Describe() });
+  }
   table.AddRow({ "codec", json["codec"].get<std::string>() });
   table.AddRow({ "bytes", json["bytes"].dump() });
   table.AddRow({ "missing",
@@ -151,7 +155,9 @@ void AddInfo(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand("info", "List the contents of a light field's file");
   command->footer(MakeFooter({ "cslf info box.mp4" },
     "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
-    "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
+    "(one number, or three if they differ), channels, sampling, certificate (see cslf verify; only "
+    "of "
+    "files that have one), codec, bytes, missing (viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
     "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
     "that they lack; null if there is none), scalars (what a lookup table coloured: array, "

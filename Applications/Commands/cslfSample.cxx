@@ -432,6 +432,7 @@ void AddSample(CLI::App& app, Command& chosen)
   AddField(*command, *options);
   options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
+  AddOption(*command, cslf::options::Certificate, options->Coding.Certificate)->group(VideoGroup);
   command->callback(
     [options, &chosen]
     {

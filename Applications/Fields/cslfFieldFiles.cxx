@@ -46,9 +46,6 @@ namespace cslf::tool
 {
 namespace
 {
-/// The heading of the video options in the help.
-constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
-
 /// Means a choice of key views by quality.
 constexpr const char* AutomaticKeyViews = "auto";
 
@@ -427,6 +424,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   encoder->SetGroupLength(this->GroupLength);
   encoder->SetLossless(this->Lossless);
   encoder->SetDepthFromGeometry(this->DepthFromGeometry);
+  encoder->SetCertificate(this->Certificate);
   encoder->SetRestart(this->Restart);
   encoder->SetOverwrite(this->Overwrite);
 }
@@ -634,9 +632,14 @@ nlohmann::json Summarize(const Description& description)
   const nlohmann::json whole = description.ToJSON();
   const glm::dvec3& edges = description.Box.Edges;
   const bool isCube = edges.x == edges.y && edges.y == edges.z;
-  return { { "views", description.Grid.GetViewpoints() },
+  nlohmann::json json = { { "views", description.Grid.GetViewpoints() },
     { "slices", description.Grid.GetSlices() }, { "resolution", description.Grid.GetResolution() },
     { "center", whole["center"] }, { "edge", isCube ? whole["edges"][0] : whole["edges"] },
     { "channels", whole["channels"] }, { "sampling", whole["sampling"] } };
+  if (description.Measured)
+  {
+    json["certificate"] = description.Measured->ToJSON();
+  }
+  return json;
 }
 }

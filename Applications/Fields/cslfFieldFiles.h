@@ -42,6 +42,9 @@ enum class FieldFormat
 /// The names of all formats, for help and errors.
 constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
 
+/// The heading of the video options in the help.
+constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
+
 /// The message of a tool without the video encoder if it needs the encoder.
 constexpr const char* NoEncoder =
   "This cslf was built without the video encoder: write .vti or a folder.";
@@ -122,6 +125,7 @@ struct CodingOptions
   int GroupLength = options::GroupLength.Default;
   bool Lossless = options::Lossless.Default;
   bool DepthFromGeometry = options::DepthFromGeometry.Default;
+  bool Certificate = options::Certificate.Default;
   bool Restart = options::Restart.Default;
   bool Overwrite = true; ///< whether a video may replace a file that exists when it is complete
   std::vector<std::string> Parts; ///< in the form that ReadParts takes

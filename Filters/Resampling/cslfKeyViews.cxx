@@ -155,6 +155,7 @@ Description Nesting::Apply(const Description& input) const
     nodes.push_back(input.Grid.GetNodes()[i]);
   }
   Description output = input;
+  output.Measured.reset();
   output.Grid =
     Layout(input.Grid.GetBaseNodes(), nodes, input.Grid.GetResolution() / this->Divisor);
   auto sampling = nlohmann::json::parse(input.Sampling);

@@ -100,7 +100,8 @@ void TestPhases(const std::string& folder)
 {
   const std::vector<std::string> phases = { "Reading the scene", "Building the tree of the scene",
     "Sampling viewpoints", "Making the geometry", "Colouring the geometry",
-    "Comparing depth with the geometry", "Coding viewpoints", "Writing the file" };
+    "Comparing depth with the geometry", "Coding viewpoints", "Writing the file",
+    "Comparing the file with the scene" };
   const std::string whole = folder + "/whole.mkv";
   {
     const auto sampler = MakeSampler();

@@ -28,6 +28,8 @@ LAYERS = {
     "Filters/Coding": ["Module", "Filters/SIMD", "Filters/Files", "Filters/Parallel",
         "Filters/Pipeline", "Filters/Resampling", "Filters/Lookup", "Filters/Quality",
         "Filters/Geometry"],
+    "Filters/Certificate": ["Module", "Filters/RandomNumbers", "Filters/Pipeline", "Filters/Lookup",
+        "Filters/Coding"],
     "Filters/PathTracing/Materials": ["Module", "Filters/SIMD", "Filters/RandomNumbers",
         "Filters/Files"],
     "Filters/SceneData": ["Module", "Filters/Options", "Filters/Pipeline",

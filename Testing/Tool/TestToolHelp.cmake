@@ -78,7 +78,7 @@ function (check_program program expected)
   cslf_fail("There is no option --nonsense" "" help --nonsense)
 endfunction ()
 
-check_program(cslf 14)
+check_program(cslf 15)
 if (HAS_ENCODER)
   check_program(cslf-lab 6)
 else ()

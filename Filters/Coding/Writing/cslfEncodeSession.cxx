@@ -165,6 +165,7 @@ bool EncodeSession::CheckHere()
   this->Input.emplace(this->Job.Connection, *this->Grid);
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   this->Writer->SetParts(this->Job.Parts);
+  this->Writer->SetCertifier(this->Job.Certify);
   std::string error;
   return this->Peers.GetRank() != 0 || this->Writer->ReserveFolder(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);

@@ -37,6 +37,9 @@ struct EncodeJob
   /// Gives the part with the field's geometry, if there is one, when the input has been read.
   std::function<std::optional<FilePart>(const Description&, const std::vector<FilePart>&)>
     GetGeometry;
+
+  /// Measures the finished file, on rank 0. May be empty on all ranks.
+  FileAssembler::Certifier Certify;
   bool Restart = true;
   bool Overwrite = true; ///< whether an earlier file is replaced
   vtkAlgorithmOutput* Connection = nullptr;

@@ -4,6 +4,7 @@
 
 #include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfAtomicFile.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfGroupStore.h"
 #include "cslfJSON.h"
 
@@ -29,6 +30,12 @@ struct ContainerBytes
 };
 constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0, 4.0, 16.0, 4.0, 8.0 };
 constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0, 19.0, 19.0, 7.0, 0.0 };
+
+/// The most that a certificate adds to the header, of which the file has two.
+constexpr double CertificateBytes = 2.0 * 400.0;
+
+/// The progress of finishing a file when its groups are joined, before it is measured.
+constexpr double JoinedShare = 0.1;
 
 const ContainerBytes& FindContainerBytes(const std::string& fileName)
 {
@@ -72,6 +79,7 @@ void FileAssembler::Begin(
   this->Header.Coarsest = order.Coarsest;
   this->Costs.assign(this->Header.Groups.size(), GroupCost());
   this->Header.Field = field;
+  this->Header.Field.Measured.reset(); // of another file
   this->Header.Field.Channels.clear();
   for (const ChannelId id : ChannelIds)
   {
@@ -105,7 +113,7 @@ void FileAssembler::Begin(
 std::string FileAssembler::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 6 }, { "cslf", CSLF_VERSION },
+  nlohmann::json manifest = { { "version", 6 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
     { "description", this->Header.Field.ToJSON() },
     { "measured",
@@ -119,6 +127,11 @@ std::string FileAssembler::MakeManifest(std::uint32_t checksum, const GeometryPl
     { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
     { "target", static_cast<int>(settings.Target.Kind) },
     { "target_value", settings.Target.Value } };
+  if (settings.Target.Kind == RateTarget::Kinds::Bytes ||
+    settings.Target.Kind == RateTarget::Kinds::Ratio)
+  {
+    manifest["certificate"] = static_cast<bool>(this->Certify); // it takes bytes
+  }
   return manifest.dump();
 }
 
@@ -148,6 +161,7 @@ double FileAssembler::GetContainerBytes(bool hasCoverage) const
   {
     sum += static_cast<double>(text.size());
   }
+  sum += this->Certify ? CertificateBytes : 0.0;
   return sum + static_cast<double>(this->Carry({}).size());
 }
 
@@ -422,8 +436,28 @@ bool FileAssembler::Finish(bool replaces, const std::function<bool(double)>& pro
 {
   this->DropFullCoverage();
   this->Groups.DropPreview();
-  return this->HasRoom(error) && this->Join(this->Groups.GetWholeName(), progress, error) &&
+  return this->HasRoom(error) &&
+    (this->Certify ? this->AddCertificate(progress, error)
+                   : this->Join(this->Groups.GetWholeName(), progress, error)) &&
     this->Groups.Publish(replaces, warning, error);
+}
+
+/// Joins the groups, measures the file, and joins them again with the result.
+bool FileAssembler::AddCertificate(const std::function<bool(double)>& progress, std::string& error)
+{
+  const std::string whole = this->Groups.GetWholeName();
+  if (!this->Join(whole, Within(progress, 0.0, JoinedShare), error))
+  {
+    return false;
+  }
+  this->Header.Field.Measured = this->Certify(whole);
+  if (!progress(MeasuredShare))
+  {
+    error = Stopped;
+    return false;
+  }
+  return !this->Header.Field.Measured ||
+    this->Join(whole, Within(progress, MeasuredShare, 1.0), error);
 }
 
 /// The first picture's packet, together with the geometry.

@@ -41,6 +41,12 @@ public:
   /// samples. Groups are made to fit to the plan before they are coded.
   void Begin(const Description& field, std::uint32_t checksum, const GeometryPlan& plan);
 
+  /// Before Begin: what measures a finished file of that name, whose certificate is then added to
+  /// the file. Returns nothing if there is none. It reports progress by itself.
+  using Certifier = std::function<std::optional<Certificate>(const std::string& fileName)>;
+  static constexpr double MeasuredShare = 0.9; ///< the progress of Finish afterwards
+  void SetCertifier(const Certifier& certifier) { this->Certify = certifier; }
+
   /// What the file contains besides the field.
   void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
 
@@ -138,6 +144,7 @@ private:
 
   std::string MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const;
   std::vector<std::uint8_t> Carry(const std::vector<std::uint8_t>& packet) const;
+  bool AddCertificate(const std::function<bool(double)>& progress, std::string& error);
   bool Join(
     const std::string& fileName, const std::function<bool(double)>& progress, std::string& error);
   double GetStoredBytes() const;
@@ -150,6 +157,7 @@ private:
   std::string FileName;
   GroupStore Groups;
   EncodeSettings Settings;
+  Certifier Certify; ///< may be empty
   FileHeader Header;
   std::optional<GroupCoder> Coder;
   std::vector<TrackState> States; ///< one for each of the header's tracks

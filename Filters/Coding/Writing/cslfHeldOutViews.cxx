@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHeldOutViews.h"
 #include "Coding/Geometry/cslfGeometryRays.h"
+#include "Coding/Geometry/cslfShownRays.h"
 #include "Coding/Groups/cslfGroupCodec.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "Lookup/cslfLookup.h"
 #include "Quality/cslfDisplayCurve.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfColor.h"
@@ -140,87 +140,26 @@ std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, dou
   return slices;
 }
 
-/// Looks rays up in some key views, as the mapper does.
-class KeyViewLookup
+/// The colour of a texel over black, looked up from key views: with geometry, the mean of the light
+/// of several rays.
+glm::dvec4 LookUpTexel(
+  const ShownRays& keys, const Description& field, bool hasGeometry, const RayCoordinates& center)
 {
-public:
-  /// `surfaces` may be null. All must outlive this object.
-  KeyViewLookup(const Description& field, vtkImageData* image, const std::vector<int>& slices,
-    const GeometryRays* surfaces)
-    : Views(field, image, slices)
-    , Colors(field.Grid, image->GetPointData()->GetArray(ColorName), slices)
-    , Surfaces(surfaces)
-    , HasAll(surfaces && surfaces->IsComplete() && !field.MayShowEnvironment())
-    , IsLinear(field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding)
+  if (!hasGeometry)
   {
-    if (surfaces && surfaces->GetCells())
-    {
-      this->Views.SetSurfaces(surfaces->GetCells());
-    }
+    return keys.LookUp(center);
   }
-
-  /// The colour of a ray over black.
-  glm::dvec4 LookUp(const RayCoordinates& ray) const
+  LightMean mean(field);
+  const double texel = 2.0 / field.Grid.GetResolution();
+  for (const glm::dvec2 place : { glm::dvec2(-0.25, -0.25), glm::dvec2(0.25, -0.25),
+         glm::dvec2(-0.25, 0.25), glm::dvec2(0.25, 0.25) })
   {
-    const auto hit =
-      this->Surfaces ? this->Surfaces->Intersect(ray) : std::optional<GeometryRays::Hit>();
-    const bool isOpaque = this->Surfaces && this->Surfaces->GetCells();
-    if (!hit)
-    {
-      return this->HasAll ? glm::dvec4(0.0)
-                          : this->Colors.Blend(isOpaque ? this->Views.OffSurface(ray)
-                                                        : this->Views.DepthCorrected(ray));
-    }
-    LookupResult before;
-    if (isOpaque && (before = this->Views.InFront(ray, hit->Point)).IsFinal)
-    {
-      return this->Colors.Blend(before);
-    }
-    if (hit->IsExact)
-    {
-      return hit->Color;
-    }
-    const glm::dvec4 seen = this->Colors.Blend(this->Views.OnSurface(ray, hit->Point, 0));
-    if (seen.w > 0.0)
-    {
-      return seen;
-    }
-    if (isOpaque && (before = this->Views.CloseInFront(ray, hit->Point)).IsFinal)
-    {
-      return this->Colors.Blend(before);
-    }
-    return hit->Color.w > 0.0 ? hit->Color : this->Colors.Blend(this->Views.DepthCorrected(ray));
+    RayCoordinates ray = center;
+    ray.Exit.Coordinates += texel * place;
+    mean.Add(keys.LookUp(ray), 0.25);
   }
-
-  /// The colour of a texel over black: with geometry, the mean of the light of several rays.
-  glm::dvec4 LookUpTexel(const RayCoordinates& center, double texel) const
-  {
-    if (!this->Surfaces)
-    {
-      return this->LookUp(center);
-    }
-    glm::dvec4 sum(0.0);
-    for (const glm::dvec2 place : { glm::dvec2(-0.25, -0.25), glm::dvec2(0.25, -0.25),
-           glm::dvec2(-0.25, 0.25), glm::dvec2(0.25, 0.25) })
-    {
-      RayCoordinates ray = center;
-      ray.Exit.Coordinates += texel * place;
-      const glm::dvec4 color = this->LookUp(ray);
-      const glm::dvec3 light = this->IsLinear || color.w <= 0.0
-        ? glm::dvec3(color)
-        : color.w * SRGBToLinear(glm::dvec3(color) / color.w);
-      sum += 0.25 * glm::dvec4(light, color.w);
-    }
-    return this->IsLinear ? sum : glm::dvec4(EncodeRadiance(glm::dvec3(sum), sum.w), sum.w);
-  }
-
-private:
-  Lookup Views;
-  ChannelReader Colors;
-  const GeometryRays* Surfaces;
-  bool HasAll;
-  bool IsLinear;
-};
+  return mean.GetColor();
+}
 
 /// The squared differences of red, green and blue as they are displayed.
 double CompareDisplayed(
@@ -239,9 +178,10 @@ double CompareDisplayed(
 }
 
 /// The mean square errors of some texels of a viewpoint, looked up from key views.
-ExposureErrors Compare(
-  const KeyViewLookup& lookup, const Layout& grid, int slice, const ColorTexels& truth)
+ExposureErrors Compare(const ShownRays& keys, const Description& whole, bool hasGeometry, int slice,
+  const ColorTexels& truth)
 {
+  const Layout& grid = whole.Grid;
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
   const int width = grid.GetStripWidth();
@@ -261,7 +201,7 @@ ExposureErrors Compare(
           { grid.NodeCoordinate(viewpoint.I), grid.NodeCoordinate(viewpoint.J) } };
         ray.Exit = { ExitFaceOf(viewpoint.Face, x / resolution),
           { grid.TexelCoordinate(x % resolution), grid.TexelCoordinate(texel / width) } };
-        const glm::dvec4 color = lookup.LookUpTexel(ray, 2.0 / resolution);
+        const glm::dvec4 color = LookUpTexel(keys, whole, hasGeometry, ray);
         for (std::size_t i = 0; i < exposures.size(); ++i)
         {
           squares[k * exposures.size() + i] = CompareDisplayed(color, truth, texel, exposures[i]);
@@ -302,8 +242,8 @@ bool MeasureView(ViewpointReader& input, const GeometryRays* surfaces, const Key
   image->SetDimensions(
     whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
   pulled.front().AddTo(image);
-  errors = Compare(
-    KeyViewLookup(field, image, around, surfaces), whole.Grid, view, ColorTexels(pulled.back()));
+  errors = Compare(ShownRays(field, image, around, surfaces), whole, surfaces != nullptr, view,
+    ColorTexels(pulled.back()));
   return true;
 }
 
