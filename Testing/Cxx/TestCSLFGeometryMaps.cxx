@@ -328,6 +328,19 @@ void TestBodies()
   }
 }
 
+/// The geometry of an actor with a mapper, from a file.
+vtkSmartPointer<vtkPolyData> Import(vtkMapper* mapper)
+{
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  importer->Update();
+  return Recode(Sample(importer->GetOutputDataObject(0))->GetGeometry());
+}
+
 /// What a window maps by its mapper, with the names of array and component.
 void TestImporter()
 {
@@ -349,14 +362,7 @@ void TestImporter()
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("Velocity");
   mapper->InterpolateScalarsBeforeMappingOn();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  vtkNew<vtkCSLFSceneImporter> importer;
-  importer->SetRenderer(renderer);
-  importer->Update();
-  const auto geometry = Recode(Sample(importer->GetOutputDataObject(0))->GetGeometry());
+  const auto geometry = Import(mapper);
   const cslf::MappedPoints points = cslf::FindMappedPoints(geometry);
   CSLF_CHECK(points.Maps.size() == 1);
   CSLF_CHECK(points.Maps[0].Array == "Velocity" && points.Maps[0].Component == "Magnitude");
@@ -364,19 +370,6 @@ void TestImporter()
   CSLF_CHECK(speeds && speeds->GetLookupTable());
   CSLF_CHECK_NEAR(speeds->GetRange()[0], 1.0, 0.01);
   CSLF_CHECK_NEAR(speeds->GetRange()[1], std::sqrt(2.0), 0.01);
-}
-
-/// What an actor's geometry tells of its map.
-cslf::MappedPoints Import(vtkMapper* mapper)
-{
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  vtkNew<vtkCSLFSceneImporter> importer;
-  importer->SetRenderer(renderer);
-  importer->Update();
-  return cslf::FindMappedPoints(Recode(Sample(importer->GetOutputDataObject(0))->GetGeometry()));
 }
 
 /// Scalars that are mapped first, where that is not seen, and those of glyphs.
@@ -389,7 +382,7 @@ void TestMappedFirst()
     mapper->SetLookupTable(MakeHues(50.0, 150.0, turns));
     mapper->UseLookupTableScalarRangeOn();
     // Colours between points of fine rainbows are not on the map.
-    CSLF_CHECK(Import(mapper).IsEmpty() == (turns > 1));
+    CSLF_CHECK(cslf::FindMappedPoints(Import(mapper)).IsEmpty() == (turns > 1));
   }
 
   constexpr int side = 12;
@@ -412,7 +405,7 @@ void TestMappedFirst()
   glyphs->ScalingOff();
   glyphs->SetLookupTable(MakeHues(0.0, side * side, 1));
   glyphs->UseLookupTableScalarRangeOn();
-  const cslf::MappedPoints mapped = Import(glyphs);
+  const cslf::MappedPoints mapped = cslf::FindMappedPoints(Import(glyphs));
   CSLF_CHECK(mapped.Maps.size() == 1 && mapped.Maps[0].Array == "Charge");
   CSLF_CHECK(!mapped.Scalars.empty());
   const auto least = std::minmax_element(mapped.Scalars.begin(), mapped.Scalars.end());

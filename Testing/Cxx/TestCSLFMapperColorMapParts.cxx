@@ -264,47 +264,18 @@ void TestShared()
   }
 }
 
-/// Tells that spheres of a geometry are balls, as the coder does.
-void AddGroups(vtkPolyData* geometry, const std::vector<std::array<double, 3>>& centers,
-  double radius, int resolution)
-{
-  const auto prototype = MakeSphere({ 0.0, 0.0, 0.0 }, 1.0, resolution);
-  vtkNew<vtkIdTypeArray> sizes;
-  sizes->SetName(cslf::GeometryGroupsName);
-  sizes->SetNumberOfComponents(4);
-  sizes->InsertNextTuple4(static_cast<double>(prototype->GetNumberOfPoints()),
-    static_cast<double>(prototype->GetNumberOfPolys()), static_cast<double>(centers.size()), 1.0);
-  vtkNew<vtkDoubleArray> points;
-  points->SetName(cslf::GeometryPrototypesName);
-  points->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < prototype->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextTuple(prototype->GetPoint(i));
-  }
-  vtkNew<vtkDoubleArray> placements;
-  placements->SetName(cslf::GeometryPlacementsName);
-  placements->SetNumberOfComponents(12);
-  for (const std::array<double, 3>& c : centers)
-  {
-    const double matrix[12] = { radius, 0.0, 0.0, c[0], 0.0, radius, 0.0, c[1], 0.0, 0.0, radius,
-      c[2] };
-    placements->InsertNextTuple(matrix);
-  }
-  geometry->GetFieldData()->AddArray(sizes);
-  geometry->GetFieldData()->AddArray(points);
-  geometry->GetFieldData()->AddArray(placements);
-}
-
 /// Balls have colours of their own in graphics memory.
 void TestBalls()
 {
   constexpr double Small = 0.14;
-  std::vector<std::array<double, 3>> centers;
+  std::vector<std::array<double, 4>> balls;
   vtkNew<vtkAppendPolyData> append;
   for (int i = 0; i < 36; ++i)
   {
-    centers.push_back({ -0.75 + 0.3 * (i % 6), -0.75 + 0.3 * (i / 6), 0.05 * (i % 5) });
-    append->AddInputData(MakeSphere(centers.back(), Small, 16));
+    const std::array<double, 3> center{ -0.75 + 0.3 * (i % 6), -0.75 + 0.3 * (i / 6),
+      0.05 * (i % 5) };
+    balls.push_back({ center[0], center[1], center[2], Small });
+    append->AddInputData(MakeSphere(center, Small, 16));
   }
   append->Update();
   vtkPolyData* geometry = append->GetOutput();
@@ -312,7 +283,7 @@ void TestBalls()
   look.Scalar = [](const double* point) { return std::floor((point[0] + 0.9) / 0.3); };
   const Table own = MakeRainbow(0.0, 5.0);
   AddColors(geometry, own, look);
-  AddGroups(geometry, centers, Small, 16);
+  AddBallGroup(geometry, balls, 16);
   MapComparison balls(geometry);
   balls.Field.GetCamera()->SetPosition(0.3, 0.2, 5.0); // none hides another
   balls.Check("balls", own);

@@ -7,6 +7,7 @@
 #include "cslfCube.h"
 #include "cslfDescription.h"
 #include "cslfMeshLevels.h"
+#include "cslfTestColorMaps.h"
 #include "cslfTestField.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -134,33 +135,12 @@ vtkSmartPointer<vtkPolyData> MakeGeometry(const std::vector<Sphere>& spheres, in
 /// Tells that the spheres of a geometry are balls at several places.
 void AddGroups(vtkPolyData* geometry, const std::vector<Sphere>& spheres, int resolution)
 {
-  const auto prototype = MakeSphere({ { 0.0, 0.0, 0.0 }, 1.0 }, resolution);
-  vtkNew<vtkIdTypeArray> sizes;
-  sizes->SetName(cslf::GeometryGroupsName);
-  sizes->SetNumberOfComponents(4);
-  sizes->InsertNextTuple4(static_cast<double>(prototype->GetNumberOfPoints()),
-    static_cast<double>(prototype->GetNumberOfPolys()), static_cast<double>(spheres.size()), 1.0);
-  vtkNew<vtkDoubleArray> points;
-  points->SetName(cslf::GeometryPrototypesName);
-  points->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < prototype->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextTuple(prototype->GetPoint(i));
-  }
-  vtkNew<vtkDoubleArray> placements;
-  placements->SetName(cslf::GeometryPlacementsName);
-  placements->SetNumberOfComponents(12);
+  std::vector<std::array<double, 4>> balls;
   for (const Sphere& sphere : spheres)
   {
-    const double r = sphere.Radius;
-    const std::array<double, 3>& c = sphere.Center;
-    const double matrix[12] = { r, 0.0, 0.0, c[0], 0.0, r, 0.0, c[1], 0.0, 0.0, r, c[2] };
-    placements->InsertNextTuple(matrix);
+    balls.push_back({ sphere.Center[0], sphere.Center[1], sphere.Center[2], sphere.Radius });
   }
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ sizes, points, placements })
-  {
-    geometry->GetFieldData()->AddArray(array);
-  }
+  cslf::testing::AddBallGroup(geometry, balls, resolution);
 }
 
 vtkSmartPointer<vtkCSLFMapper> MakeMapper(vtkPolyData* geometry)

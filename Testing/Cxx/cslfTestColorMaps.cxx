@@ -15,6 +15,7 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -104,10 +105,40 @@ vtkSmartPointer<vtkPolyData> MakeSphere(
   source->SetRadius(radius);
   source->SetThetaResolution(resolution);
   source->SetPhiResolution(resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   source->Update();
   vtkSmartPointer<vtkPolyData> sphere = source->GetOutput();
   sphere->GetPointData()->Initialize();
   return sphere;
+}
+
+void AddBallGroup(
+  vtkPolyData* geometry, const std::vector<std::array<double, 4>>& balls, int resolution)
+{
+  const auto prototype = MakeSphere({ 0.0, 0.0, 0.0 }, 1.0, resolution);
+  vtkNew<vtkIdTypeArray> sizes;
+  sizes->SetName(GeometryGroupsName);
+  sizes->SetNumberOfComponents(4);
+  sizes->InsertNextTuple4(static_cast<double>(prototype->GetNumberOfPoints()),
+    static_cast<double>(prototype->GetNumberOfPolys()), static_cast<double>(balls.size()), 1.0);
+  vtkNew<vtkDoubleArray> points;
+  points->SetName(GeometryPrototypesName);
+  points->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < prototype->GetNumberOfPoints(); ++i)
+  {
+    points->InsertNextTuple(prototype->GetPoint(i));
+  }
+  vtkNew<vtkDoubleArray> placements;
+  placements->SetName(GeometryPlacementsName);
+  placements->SetNumberOfComponents(12);
+  for (const auto& [x, y, z, radius] : balls)
+  {
+    const double matrix[12] = { radius, 0.0, 0.0, x, 0.0, radius, 0.0, y, 0.0, 0.0, radius, z };
+    placements->InsertNextTuple(matrix);
+  }
+  geometry->GetFieldData()->AddArray(sizes);
+  geometry->GetFieldData()->AddArray(points);
+  geometry->GetFieldData()->AddArray(placements);
 }
 
 void AddColors(vtkPolyData* geometry, vtkLookupTable* table, const MapLook& look)

@@ -21,6 +21,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace cslf
 {
@@ -46,6 +47,10 @@ double Darken(double encoded, double light);
 /// A sphere without point data.
 vtkSmartPointer<vtkPolyData> MakeSphere(
   const std::array<double, 3>& center, double radius, int resolution = 40);
+
+/// Tells that the spheres of a geometry are balls, each with a centre and a radius.
+void AddBallGroup(
+  vtkPolyData* geometry, const std::vector<std::array<double, 4>>& balls, int resolution);
 
 /// What the mapped points of a geometry are made of.
 struct MapLook
