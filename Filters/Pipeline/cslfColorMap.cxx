@@ -449,6 +449,10 @@ try
     {
       double light[3];
       lights[side]->GetTuple(i, light);
+      if (!std::isfinite(light[0] + light[1] + light[2]))
+      {
+        return {};
+      }
       points.Light[side].emplace_back(
         EncodeLight(light[0]), EncodeLight(light[1]), EncodeLight(light[2]));
     }

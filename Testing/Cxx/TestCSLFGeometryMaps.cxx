@@ -443,6 +443,10 @@ void TestHostile()
   changed->GetPointData()->RemoveArray("Height");
   CSLF_CHECK(cslf::FindMappedPoints(changed).IsEmpty());
   CSLF_CHECK(!cslf::EncodeGeometry(changed, Box, Resolution, error).empty());
+  changed->DeepCopy(sampler->GetGeometry());
+  CSLF_CHECK(!cslf::FindMappedPoints(changed).IsEmpty());
+  changed->GetPointData()->GetArray(cslf::LightName)->SetComponent(0, 1, vtkMath::Inf());
+  CSLF_CHECK(cslf::FindMappedPoints(changed).IsEmpty());
 }
 }
 
