@@ -37,6 +37,7 @@
 namespace
 {
 using cslf::ColorMap;
+using cslf::testing::AddBallGroup;
 using cslf::testing::AddColors;
 using cslf::testing::CountDifferent;
 using cslf::testing::Darken;
@@ -268,13 +269,13 @@ void TestShared()
 void TestBalls()
 {
   constexpr double Small = 0.14;
-  std::vector<std::array<double, 4>> balls;
+  std::vector<std::array<double, 4>> spheres;
   vtkNew<vtkAppendPolyData> append;
   for (int i = 0; i < 36; ++i)
   {
     const std::array<double, 3> center{ -0.75 + 0.3 * (i % 6), -0.75 + 0.3 * (i / 6),
       0.05 * (i % 5) };
-    balls.push_back({ center[0], center[1], center[2], Small });
+    spheres.push_back({ center[0], center[1], center[2], Small });
     append->AddInputData(MakeSphere(center, Small, 16));
   }
   append->Update();
@@ -283,7 +284,7 @@ void TestBalls()
   look.Scalar = [](const double* point) { return std::floor((point[0] + 0.9) / 0.3); };
   const Table own = MakeRainbow(0.0, 5.0);
   AddColors(geometry, own, look);
-  AddBallGroup(geometry, balls, 16);
+  AddBallGroup(geometry, spheres, 16);
   MapComparison balls(geometry);
   balls.Field.GetCamera()->SetPosition(0.3, 0.2, 5.0); // none hides another
   balls.Check("balls", own);
