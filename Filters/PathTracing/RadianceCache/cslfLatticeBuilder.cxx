@@ -342,6 +342,11 @@ void LatticeBuilder::Refine()
 /// Gives a brick whose points are all hidden others, which may be outside. False if there are none.
 bool LatticeBuilder::UseOtherPoints(Patch& patch)
 {
+  if (this->IsClustered(patch))
+  {
+    patch.MayShare = false;
+    return true;
+  }
   if (patch.IsConstant)
   {
     if (!patch.Chart)

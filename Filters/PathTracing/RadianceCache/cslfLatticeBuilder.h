@@ -38,6 +38,10 @@ struct LatticeSettings
   /// Flat triangles and charts of at most this many spacings have one value, as a binary logarithm.
   int SmallLevels = 0;
 
+  /// Corners of bricks that are smaller than this, in spacings, share one point with those whose
+  /// normals are alike in the same cube of this edge. 0 lets none.
+  float ClusterSize = 0.0f;
+
   double Exposure = 1.0;
 
   /// The displayed value on a surface of the given base colour.
@@ -108,6 +112,8 @@ private:
   std::uint32_t Request(const Patch& patch, int i, int j);
   std::uint32_t RequestOnTriangle(const Patch& patch, int column, int row);
   std::uint64_t FindSharedKey(const Patch& patch, int column, int row) const;
+  std::uint64_t FindClusterKey(const Patch& patch, const TrianglePoint& place) const;
+  bool IsClustered(const Patch& patch) const;
   std::uint32_t RequestOnChart(const Patch& patch, int column, int row);
   std::uint32_t RequestMean(const Patch& patch, const glm::ivec2& low, const glm::ivec2& high,
     float weight, std::uint64_t key);
@@ -207,6 +213,7 @@ struct LatticeBuilder::Patch
   bool IsSmooth = false; // whether it is a whole triangle that shares points with its neighbours
   bool HasOwnVertices = false; // whether its corners do not share the points of vertices nearby,
                                // because those are all hidden
+  bool MayShare = true;        // whether its points may be those of a cluster
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
 

@@ -305,6 +305,9 @@ constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
 constexpr std::uint64_t MeanKey = std::uint64_t(1) << 62;
 constexpr std::uint64_t HashKey = VertexKey | MeanKey;
 
+// The normals of a cluster differ by up to about this size in each component.
+constexpr float ClusterNormalStep = 0.5f;
+
 std::uint64_t MakeSideKey(std::uint32_t mesh, std::uint64_t place, bool back)
 {
   return std::uint64_t(mesh) << 33 | place << 1 | (back ? 1 : 0);
@@ -354,12 +357,6 @@ std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, int row)
 {
   const int last = 1 << (this->Layout.GetDepth(patch.Domain) + ExtraLevels);
-  const std::uint64_t key = this->FindSharedKey(patch, column, row);
-  const auto known = this->Index.find(key);
-  if (known != this->Index.end())
-  {
-    return known->second;
-  }
   constexpr float third = 1.0f / 3.0f;
   TrianglePoint place{ patch.Triangle, third, third };
   if (!patch.IsConstant)
@@ -367,7 +364,33 @@ std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, 
     place.U = static_cast<float>(column) / static_cast<float>(last);
     place.V = static_cast<float>(row) / static_cast<float>(last);
   }
-  return this->AddPoint(patch, place, key);
+  const std::uint64_t key = this->IsClustered(patch) ? this->FindClusterKey(patch, place)
+                                                     : this->FindSharedKey(patch, column, row);
+  const auto known = this->Index.find(key);
+  return known != this->Index.end() ? known->second : this->AddPoint(patch, place, key);
+}
+
+bool LatticeBuilder::IsClustered(const Patch& patch) const
+{
+  return patch.MayShare && patch.Level == 0 && patch.Size == patch.RootSize &&
+    patch.RootEdge < this->Settings.ClusterSize * this->Layout.GetSpacing();
+}
+
+std::uint64_t LatticeBuilder::FindClusterKey(const Patch& patch, const TrianglePoint& place) const
+{
+  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
+  const float edge = this->Settings.ClusterSize * this->Layout.GetSpacing();
+  const glm::vec3 position = mesh.Interpolate(mesh.Vertices, place);
+  const glm::uvec3& corners = mesh.Triangles[place.Triangle];
+  const glm::vec3 across = mesh.Normals.empty()
+    ? glm::cross(mesh.Vertices[corners.y] - mesh.Vertices[corners.x],
+        mesh.Vertices[corners.z] - mesh.Vertices[corners.x])
+    : mesh.Interpolate(mesh.Normals, place);
+  const float length = glm::length(across);
+  const glm::vec3 normal =
+    length > 0.0f ? glm::round(across / (ClusterNormalStep * length)) : glm::vec3(0.0f);
+  return HashKey |
+    HashCell(normal, HashCell(glm::floor(position / edge), MakeSideKey(patch.Mesh, 0, patch.Back)));
 }
 
 /// Smooth triangles share the points of their corners and edges with their neighbours.
@@ -424,9 +447,10 @@ std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int
     : FindChartNeighbours(row, step, cell, chart.GetRows() * cell, distance.x / distance.y);
   const float weight = std::max(columns.Weight, rows.Weight);
   const bool isMean = weight > 0.0f;
-  const std::uint64_t key = isMean
-    ? MakeKey(patch.Domain, patch.Back, column, row, isMean)
-    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low, isMean);
+  const glm::vec2 chosen = glm::vec2(columns.Low, rows.Low) / static_cast<float>(cell);
+  const std::uint64_t key = isMean ? MakeKey(patch.Domain, patch.Back, column, row, isMean)
+    : this->IsClustered(patch)     ? this->FindClusterKey(patch, chart.Find(patch.Back, chosen))
+                               : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low, isMean);
   const auto known = this->Index.find(key);
   if (known != this->Index.end())
   {
@@ -437,8 +461,7 @@ std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int
     return this->RequestMean(
       patch, { columns.Low, rows.Low }, { columns.High, rows.High }, weight, key);
   }
-  const glm::vec2 place = glm::vec2(columns.Low, rows.Low) / static_cast<float>(cell);
-  return this->AddPoint(patch, chart.Find(patch.Back, place), key);
+  return this->AddPoint(patch, chart.Find(patch.Back, chosen), key);
 }
 
 std::uint32_t LatticeBuilder::RequestMean(const Patch& patch, const glm::ivec2& low,

@@ -32,6 +32,10 @@ constexpr int RoughSamples = 64;
 constexpr int RoughSmallLevels = 3;
 constexpr int FineSmallLevels = 1;
 
+// The cubes, in spacings, in which points whose light is only seen by other points share one if
+// their normals are alike: those see the mean of many.
+constexpr float RoughClusterSize = 4.0f;
+
 // The paths of a cell of a shape that is only seen by other points; and of one that is seen
 // directly, at least. Each fit has several factors, so it needs more than a point of a lattice.
 constexpr int RoughShapeSamples = 32;
@@ -167,6 +171,7 @@ bool RadianceCache::FillLayout(const Progress& goOn)
   // All other light: first roughly, with complete paths.
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
+  lattice.ClusterSize = RoughClusterSize;
   lattice.SmallLevels = RoughSmallLevels;
   SurfaceLattice rough;
   if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough, this->Incident,
