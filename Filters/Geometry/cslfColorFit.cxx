@@ -26,6 +26,9 @@ constexpr std::size_t MaximumMeetings = 8;
 /// How near places on a map are, in columns, to become one.
 constexpr float MaximumDistance = 0.01f;
 
+/// The same for values of arrays, as shares of their ranges.
+constexpr float MaximumArrayDistance = 5e-4f;
+
 /// How little colours of corners at one place differ to become one.
 constexpr float MaximumDifference = 2.0f / 255.0f;
 
@@ -253,7 +256,10 @@ void ColorFit::Solve(const std::function<void(double)>& proceed)
   this->JoinCorners();
   const bool hasMaps = std::any_of(this->Samples.begin(), this->Samples.end(),
     [](const TriangleSamples& samples) { return samples.Map > 0; });
-  for (int kind = 0; kind < (hasMaps ? Kinds : PlaceKind); ++kind)
+  const std::size_t arrays = this->Samples.empty() ? 0 : this->Samples.front().Arrays.size();
+  const int kinds = hasMaps ? FirstArrayKind + static_cast<int>(arrays) : PlaceKind;
+  this->Colors.assign(FirstArrayKind + arrays, {});
+  for (int kind = 0; kind < kinds; ++kind)
   {
     this->SolveKind(kind, proceed);
   }
@@ -284,6 +290,22 @@ double ColorFit::FindPlaceError(std::size_t triangle) const
   return factor * factor * samples.Places.GetError(own);
 }
 
+// The same for values of arrays.
+double ColorFit::FindArrayError(std::size_t triangle) const
+{
+  const TriangleSamples& samples = this->Samples[triangle];
+  const glm::uvec3& corners = this->Values[triangle];
+  double most = 0.0;
+  for (std::size_t i = 0; i < samples.Arrays.size() && samples.Map > 0; ++i)
+  {
+    const std::vector<glm::vec3>& values = this->Colors[FirstArrayKind + i];
+    const glm::vec3 own[3] = { values[corners.x], values[corners.y], values[corners.z] };
+    most = std::max(most, samples.Arrays[i].GetError(own));
+  }
+  const double factor = most > 0.0 ? this->Settings.Tolerance / this->Settings.ArrayTolerance : 0.0;
+  return factor * factor * most;
+}
+
 // Whether the colours of a triangle vary more than a number of tolerances, however they are lit.
 bool ColorFit::HasDetail(std::size_t triangle, double tolerances) const
 {
@@ -312,7 +334,8 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
-    double error = std::max(this->Samples[i].Detail / 3.0, this->FindPlaceError(i));
+    double error = std::max(
+      { this->Samples[i].Detail / 3.0, this->FindPlaceError(i), this->FindArrayError(i) });
     for (const int side : { 0, 1 })
     {
       error = std::max(error, this->FindError(i, side));
@@ -596,7 +619,7 @@ std::vector<std::uint8_t> ColorFit::FindMaps() const
   return maps;
 }
 
-SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
+SideColors ColorFit::Finish(FittedValues& values)
 {
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
@@ -620,9 +643,17 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
   {
     mostLight = std::max(mostLight, samples.MaximumLight);
   }
+  const auto haveSameArrays = [&](unsigned int a, unsigned int b)
+  {
+    return std::all_of(this->Colors.begin() + FirstArrayKind, this->Colors.end(),
+      [&](const std::vector<glm::vec3>& array)
+      { return array.empty() || glm::distance(array[a], array[b]) <= MaximumArrayDistance; });
+  };
   const auto areAlike = [&](unsigned int a, unsigned int b)
   {
-    if (maps[a] != maps[b] || (maps[a] > 0 && glm::distance(own[a], own[b]) > MaximumDistance))
+    if (maps[a] != maps[b] ||
+      (maps[a] > 0 &&
+        (glm::distance(own[a], own[b]) > MaximumDistance || !haveSameArrays(a, b))))
     {
       return false;
     }
@@ -647,6 +678,7 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
   std::vector<unsigned int> kept;
   SurfaceMesh lit;
   SideColors result;
+  values.Arrays.resize(hasMaps ? this->Colors.size() - FirstArrayKind : 0);
   for (std::size_t i = 0; i < count; ++i)
   {
     const unsigned int value = order[i];
@@ -679,7 +711,11 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
     if (hasMaps)
     {
       result.Mapped.Numbers.push_back(maps[value]);
-      places.emplace_back(own[value]);
+      values.Places.emplace_back(own[value]);
+    }
+    for (std::size_t array = 0; array < values.Arrays.size(); ++array)
+    {
+      values.Arrays[array].push_back(this->Colors[FirstArrayKind + array][value]);
     }
   }
   for (const glm::uvec3& corners : this->Values)

@@ -125,6 +125,9 @@ struct TriangleSamples
   std::uint8_t Map = 0;
   SampleSums Places;
   float PlaceTolerance = 0.0f; ///< the RMS error of places that is small enough
+
+  /// Of arrays, three values each, as shares of their ranges; none if there are no arrays.
+  std::vector<SampleSums> Arrays;
   float MaximumLight = 0.0f;   ///< of the samples
   float BaseSquare = 1.0f;   ///< the mean square of its colours under white light, if it has a map
   bool IsRound = false;      ///< whether what it belongs to has no creases
@@ -140,12 +143,20 @@ struct ColorFitSettings
   double Tolerance = 0.0;    ///< the RMS error of a triangle that is small enough
   /// The same for what best fits its detail: the colours may be better known than their light.
   double DetailTolerance = 0.0;
+  double ArrayTolerance = 0.0; ///< the same for values of arrays
   std::size_t MaximumTriangles = 0;
 
   /// Moves a point of a surface that it belongs to onto that. Given its normal and what it belongs
   /// to; may be empty.
   std::function<glm::vec3(const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)>
     Project;
+};
+
+/// What is fitted besides colours.
+struct FittedValues
+{
+  std::vector<glm::vec2> Places;              ///< on maps; none if there are no maps
+  std::vector<std::vector<glm::vec3>> Arrays; ///< as TriangleSamples::Arrays, each of all points
 };
 
 /**
@@ -182,17 +193,19 @@ public:
 
   /// Gives each colour a point of its own, unless those at a place are nearly the same. Mapped
   /// points get no scalars, but their places.
-  SideColors Finish(std::vector<glm::vec2>& places);
+  SideColors Finish(FittedValues& values);
 
 private:
-  /// What is fitted: the colours of both sides, and places on maps.
-  static constexpr int Kinds = 3;
+  /// What is fitted: the colours of both sides, places on maps, and arrays.
   static constexpr int PlaceKind = 2;
+  static constexpr int FirstArrayKind = 3;
 
   const SampleSums& GetSums(std::size_t triangle, int kind) const
   {
     const TriangleSamples& samples = this->Samples[triangle];
-    return kind == PlaceKind ? samples.Places : samples.Sides[kind];
+    return kind >= FirstArrayKind ? samples.Arrays[kind - FirstArrayKind]
+      : kind == PlaceKind         ? samples.Places
+                                  : samples.Sides[kind];
   }
 
   void JoinCorners();
@@ -204,6 +217,7 @@ private:
   void ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned int>& middles);
   double FindError(std::size_t triangle, int side) const;
   double FindPlaceError(std::size_t triangle) const;
+  double FindArrayError(std::size_t triangle) const;
   bool HasDetail(std::size_t triangle, double tolerances) const;
   float FindLength(std::size_t triangle, int edge) const;
   std::array<std::vector<char>, 2> FindExact() const;
@@ -215,7 +229,7 @@ private:
   std::vector<char> AreNew;                         // whether they have no samples yet
   std::vector<glm::uvec3> Values;                   // of the corners of each triangle
   std::vector<unsigned int> Places;                 // the point of each value
-  std::array<std::vector<glm::vec3>, Kinds> Colors; // of the values
+  std::vector<std::vector<glm::vec3>> Colors;       // of each kind, of the values
 };
 }
 

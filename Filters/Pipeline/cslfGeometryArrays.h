@@ -59,6 +59,10 @@ constexpr const char* ColorMapsName = "CSLF:ColorMaps";
 constexpr const char* ColorMapColorsName = "CSLF:ColorMapColors";
 ///@}
 
+/// Field data: the names of the arrays of point data that surfaces have beside the scalars that
+/// gave them their colours. See cslfSurfaceArray.h.
+constexpr const char* SurfaceArraysName = "CSLF:Arrays";
+
 /// Point data of a block of a scene: the scalars that its map, in the field data above, gave their
 /// colours.
 constexpr const char* MapScalarName = "CSLF:MapScalar";
