@@ -423,7 +423,7 @@ void AddField(CLI::App& command, Options& options)
       "arrays of points that the field's surfaces keep besides the one that colours them, so that "
       "they can be coloured by these later; all: all arrays of points (default: none)")
     ->delimiter(',')
-    ->expected(1)
+    ->allow_extra_args(false)
     ->type_name("NAME,...")
     ->group(field);
   command

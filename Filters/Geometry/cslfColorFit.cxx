@@ -329,25 +329,34 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   {
     double Error;
     std::size_t Triangle;
+    bool IsForArrays; // they must not take the triangles that colours need
   };
   std::vector<Candidate> candidates;
   const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
-    double error = std::max(
-      { this->Samples[i].Detail / 3.0, this->FindPlaceError(i), this->FindArrayError(i) });
+    double error = std::max(this->Samples[i].Detail / 3.0, this->FindPlaceError(i));
     for (const int side : { 0, 1 })
     {
       error = std::max(error, this->FindError(i, side));
     }
     if (error > tolerance * this->Samples[i].Area || this->HasDetail(i, 1.0))
     {
-      candidates.push_back({ error, i });
+      candidates.push_back({ error, i, false });
+    }
+    const double arrayError = this->FindArrayError(i);
+    if (arrayError > tolerance * this->Samples[i].Area)
+    {
+      candidates.push_back({ arrayError, i, true });
     }
   }
   std::sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b)
-    { return a.Error != b.Error ? a.Error > b.Error : a.Triangle < b.Triangle; });
+    {
+      return a.IsForArrays != b.IsForArrays ? b.IsForArrays
+        : a.Error != b.Error                ? a.Error > b.Error
+                                            : a.Triangle < b.Triangle;
+    });
   std::vector<std::uint64_t> edges;
   for (const Candidate& candidate : candidates)
   {
@@ -359,7 +368,9 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
     }
     const int longest =
       static_cast<int>(std::max_element(std::begin(lengths), std::end(lengths)) - lengths);
-    if (lengths[longest] > this->Settings.ShortestEdge)
+    const float shortest =
+      candidate.IsForArrays ? this->Settings.ShortestArrayEdge : this->Settings.ShortestEdge;
+    if (lengths[longest] > shortest)
     {
       edges.push_back(EdgeOf(corners[longest], corners[(longest + 1) % 3]));
     }
@@ -652,8 +663,7 @@ SideColors ColorFit::Finish(FittedValues& values)
   const auto areAlike = [&](unsigned int a, unsigned int b)
   {
     if (maps[a] != maps[b] ||
-      (maps[a] > 0 &&
-        (glm::distance(own[a], own[b]) > MaximumDistance || !haveSameArrays(a, b))))
+      (maps[a] > 0 && (glm::distance(own[a], own[b]) > MaximumDistance || !haveSameArrays(a, b))))
     {
       return false;
     }

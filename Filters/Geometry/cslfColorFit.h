@@ -128,7 +128,7 @@ struct TriangleSamples
 
   /// Of arrays, three values each, as shares of their ranges; none if there are no arrays.
   std::vector<SampleSums> Arrays;
-  float MaximumLight = 0.0f;   ///< of the samples
+  float MaximumLight = 0.0f; ///< of the samples
   float BaseSquare = 1.0f;   ///< the mean square of its colours under white light, if it has a map
   bool IsRound = false;      ///< whether what it belongs to has no creases
   std::uint32_t Body = None; ///< what it belongs to
@@ -136,11 +136,12 @@ struct TriangleSamples
 
 struct ColorFitSettings
 {
-  float ShortestEdge = 0.0f; ///< edges that are no longer are not divided
-  bool ClampsColors = true;  ///< whether colours end at 1
-  bool HasCreases = true;    ///< whether angles between triangles are those of what was sampled
-  bool KeepsMesh = false;    ///< whether each point has one colour, and no triangle is divided
-  double Tolerance = 0.0;    ///< the RMS error of a triangle that is small enough
+  float ShortestEdge = 0.0f;      ///< edges that are no longer are not divided
+  float ShortestArrayEdge = 0.0f; ///< the same where only values of arrays err
+  bool ClampsColors = true;       ///< whether colours end at 1
+  bool HasCreases = true; ///< whether angles between triangles are those of what was sampled
+  bool KeepsMesh = false; ///< whether each point has one colour, and no triangle is divided
+  double Tolerance = 0.0; ///< the RMS error of a triangle that is small enough
   /// The same for what best fits its detail: the colours may be better known than their light.
   double DetailTolerance = 0.0;
   double ArrayTolerance = 0.0; ///< the same for values of arrays
@@ -225,11 +226,11 @@ private:
 
   ColorFitSettings Settings;
   SurfaceMesh& Surface;
-  std::vector<TriangleSamples> Samples;             // of the triangles
-  std::vector<char> AreNew;                         // whether they have no samples yet
-  std::vector<glm::uvec3> Values;                   // of the corners of each triangle
-  std::vector<unsigned int> Places;                 // the point of each value
-  std::vector<std::vector<glm::vec3>> Colors;       // of each kind, of the values
+  std::vector<TriangleSamples> Samples;       // of the triangles
+  std::vector<char> AreNew;                   // whether they have no samples yet
+  std::vector<glm::uvec3> Values;             // of the corners of each triangle
+  std::vector<unsigned int> Places;           // the point of each value
+  std::vector<std::vector<glm::vec3>> Colors; // of each kind, of the values
 };
 }
 

@@ -28,7 +28,8 @@ bool HasIntegers(vtkDataArray* array)
   return type != VTK_FLOAT && type != VTK_DOUBLE;
 }
 
-/// Integers, if all numbers are such of 32 bits, or else doubles.
+/// Integers, if all numbers are such of 32 bits, or else doubles: between points of different
+/// integers, a simplified surface may have other numbers.
 vtkSmartPointer<vtkDataArray> MakeDataArray(const SurfaceArray& from, std::size_t points)
 {
   bool areIntegers = from.IsInteger;
@@ -36,7 +37,8 @@ vtkSmartPointer<vtkDataArray> MakeDataArray(const SurfaceArray& from, std::size_
   {
     areIntegers = areIntegers &&
       std::all_of(component.Values.begin(), component.Values.end(),
-        [](double value) { return value >= VTK_INT_MIN && value <= VTK_INT_MAX; });
+        [](double value)
+        { return value == std::floor(value) && value >= VTK_INT_MIN && value <= VTK_INT_MAX; });
   }
   const auto array =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(areIntegers ? VTK_INT : VTK_DOUBLE));
@@ -81,9 +83,9 @@ std::optional<std::array<double, 2>> SurfaceArray::GetRange(int component) const
     const double value = this->GetValue(i, component);
     if (std::isfinite(value))
     {
-      range = range ? std::array<double, 2>{ std::min((*range)[0], value),
-                        std::max((*range)[1], value) }
-                    : std::array<double, 2>{ value, value };
+      range = range
+        ? std::array<double, 2>{ std::min((*range)[0], value), std::max((*range)[1], value) }
+        : std::array<double, 2>{ value, value };
     }
   }
   return range;
@@ -115,7 +117,7 @@ std::string SurfaceArray::GetScalarName(int component) const
   }
   const std::string& name = this->Components[std::max(component, 0)].Name;
   return this->Name + " " +
-    (component < 0   ? MagnitudeName
+    (component < 0     ? MagnitudeName
         : name.empty() ? std::to_string(component)
                        : name);
 }

@@ -15,6 +15,11 @@ namespace cslf
 {
 namespace
 {
+/// Values that are so near to an integer are that, if all values of the scene are integers; and
+/// those that are a share of the range from it, which is that of rounding.
+constexpr double SnapDistance = 0.01;
+constexpr double SnapShare = 1e-6;
+
 /// Whether an array is what a mesh's own map shows.
 bool IsOfMap(const Mesh& mesh, const std::string& name)
 {
@@ -152,7 +157,13 @@ std::vector<SurfaceArray> SceneArrays::MakeArrays(
         const bool isKnown =
           !entry.HasHoles || get(entry.First + entry.Components.size(), i) > 0.5f;
         const double share = std::clamp<double>(get(entry.First + c, i), 0.0, 1.0);
-        component.Values.push_back(isKnown ? first + share * (last - first) : vtkMath::Nan());
+        double value = first + share * (last - first);
+        const double whole = std::round(value);
+        if (entry.IsInteger && std::abs(value - whole) < SnapDistance + SnapShare * (last - first))
+        {
+          value = whole;
+        }
+        component.Values.push_back(isKnown ? value : vtkMath::Nan());
       }
     }
   }

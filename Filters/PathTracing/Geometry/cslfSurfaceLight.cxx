@@ -66,6 +66,9 @@ constexpr float MaximumShift = 0.25f;
 constexpr int MaximumRounds = 12;
 constexpr float ShortestTexels = 2.0f;
 
+/// The same for values of arrays, which are known in any detail.
+constexpr float ShortestArrayTexels = 0.5f;
+
 /// Whether a surface is shown without light.
 bool OnlyEmits(const Mesh& mesh)
 {
@@ -477,9 +480,10 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)
   { return ProjectOnto(scene, point, normal, MaximumShift * settings.Texel, body); };
   ColorFit fit(mesh,
-    { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
-      settings.KeepsMesh, settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
-      ArrayTolerance, settings.MaximumTriangles, project });
+    { ShortestTexels * settings.Texel, ShortestArrayTexels * settings.Texel, settings.ClampsColors,
+      settings.HasCreases, settings.KeepsMesh, settings.Tolerance,
+      std::min(settings.Tolerance, DetailTolerance), ArrayTolerance, settings.MaximumTriangles,
+      project });
   const auto sample = [&](const Progress& part)
   {
     const std::vector<std::size_t> triangles = fit.ListNew();
