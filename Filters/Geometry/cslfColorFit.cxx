@@ -29,6 +29,9 @@ constexpr float MaximumDistance = 0.01f;
 /// The same for values of arrays, as shares of their ranges.
 constexpr float MaximumArrayDistance = 5e-4f;
 
+/// How little samples of arrays differ, as shares of ranges, to be the same but for rounding.
+constexpr float SameShare = 1e-6f;
+
 /// How little colours of corners at one place differ to become one.
 constexpr float MaximumDifference = 2.0f / 255.0f;
 
@@ -630,8 +633,47 @@ std::vector<std::uint8_t> ColorFit::FindMaps() const
   return maps;
 }
 
+// Where all samples around a value of an array are the same, so is it: least squares are only
+// nearly that, but numbers may stand for things.
+void ColorFit::PinArrays()
+{
+  for (std::size_t kind = FirstArrayKind; kind < this->Colors.size(); ++kind)
+  {
+    std::vector<glm::vec3>& values = this->Colors[kind];
+    std::vector<glm::vec3> least(values.size(), glm::vec3(2.0f)); // shares end at 1
+    std::vector<glm::vec3> most(values.size(), glm::vec3(-1.0f));
+    for (std::size_t i = 0; i < this->Values.size() && !values.empty(); ++i)
+    {
+      const SampleSums& sums = this->GetSums(i, static_cast<int>(kind));
+      const glm::vec3 spread =
+        glm::max(glm::max(glm::abs(sums.Products[0]), glm::abs(sums.Products[1])),
+          glm::abs(sums.Products[2]));
+      for (int c = 0; sums.Weight > 0.0f && c < 3; ++c)
+      {
+        const bool isSame = spread[c] <= SameShare * sums.Weight;
+        for (int k = 0; k < 3; ++k)
+        {
+          float& first = least[this->Values[i][k]][c];
+          float& last = most[this->Values[i][k]][c];
+          first = std::min(first, isSame ? sums.Origin[c] : -1.0f);
+          last = std::max(last, isSame ? sums.Origin[c] : 2.0f);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const bool isSame = std::abs(most[i][c] - least[i][c]) <= SameShare;
+        values[i][c] = isSame ? least[i][c] : values[i][c];
+      }
+    }
+  }
+}
+
 SideColors ColorFit::Finish(FittedValues& values)
 {
+  this->PinArrays();
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
   const std::array<std::vector<unsigned char>, 2> exact = this->FindExactCodes();

@@ -212,6 +212,7 @@ private:
   void JoinCorners();
   void SolveKind(int kind, const std::function<void(double)>& proceed);
   void Apply(int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;
+  void PinArrays();
   std::vector<std::uint8_t> FindMaps() const;
   std::vector<std::uint64_t> ChooseEdges() const;
   void LimitEdges(std::vector<std::uint64_t>& edges) const;

@@ -22,7 +22,7 @@ namespace cslf
 {
 namespace
 {
-bool HasIntegers(vtkDataArray* array)
+bool IsIntegral(vtkDataArray* array)
 {
   const int type = array->GetDataType();
   return type != VTK_FLOAT && type != VTK_DOUBLE;
@@ -127,7 +127,7 @@ SurfaceArray MakeSurfaceArray(
 {
   SurfaceArray result;
   result.Name = name;
-  result.IsInteger = HasIntegers(array);
+  result.IsInteger = IsIntegral(array);
   for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
     SurfaceArray::Component& component = result.Components.emplace_back();

@@ -161,8 +161,17 @@ void TestArrays(bool isPlain)
   pair.Check("the mapper's component",
     [](vtkMapper* mapper)
     {
-      Select(mapper, "Flow", MakeRainbow(-1.0, 1.0, 32));
-      mapper->ColorByArrayComponent("Flow", 2);
+      const Table table = MakeRainbow(-1.0, 1.0, 32);
+      Select(mapper, "Flow", table);
+      // VTK's mapper follows its own component only if it maps before it interpolates.
+      if (vtkCSLFMapper::SafeDownCast(mapper))
+      {
+        mapper->ColorByArrayComponent("Flow", 2);
+      }
+      else
+      {
+        table->SetVectorComponent(2);
+      }
     });
   pair.Check("a logarithm",
     [](vtkMapper* mapper)
@@ -184,7 +193,8 @@ void TestNames()
   CSLF_CHECK_NEAR(mapper->GetLookupTable()->GetRange()[1], 2.0 * Radius, 0.01);
   CSLF_CHECK(CountDifferent(pair.Pair.Field.Render(), own) > 0.5);
   mapper->SelectColorArray("Flow Magnitude");
-  CSLF_CHECK_NEAR(mapper->GetScalarRange()[1], 1.8, 0.01);
+  // The most of z^2 + 4 y^2 + (x - 1)^2 on the sphere is at x = -1/3, z = 0.
+  CSLF_CHECK_NEAR(mapper->GetScalarRange()[1], std::sqrt(4.0 * Radius * Radius + 4.0 / 3.0), 0.01);
   mapper->SelectColorArray("Side");
   CSLF_CHECK_NEAR(mapper->GetScalarRange()[0], 10.0 - Radius, 0.01);
   // Surfaces of one colour keep it without scalars.

@@ -29,6 +29,20 @@ constexpr const char* ComponentsKey = "components";
 constexpr const char* RangesKey = "ranges";
 constexpr const char* StepsKey = "steps";
 constexpr const char* IntegerKey = "integer";
+
+/// Whether most known values are integers, which may stand for things: a surface has others only
+/// between points of different integers.
+bool HasIntegers(const SurfaceArray::Component& component)
+{
+  std::size_t known = 0;
+  std::size_t integers = 0;
+  for (const double value : component.Values)
+  {
+    known += std::isnan(value) ? 0 : 1;
+    integers += value == std::floor(value) ? 1 : 0;
+  }
+  return 2 * integers > known;
+}
 }
 
 std::uint32_t ArrayCodes::Component::ToCode(double value) const
@@ -63,12 +77,14 @@ ArrayCodes::ArrayCodes(const SurfaceArray& array)
       array.GetRange(static_cast<int>(c)).value_or(std::array<double, 2>{ 0.0, 0.0 });
     component.First = range[0];
     component.Last = range[1];
-    const double size = range[1] - range[0];
     component.Steps = MinimumArraySteps;
-    if (this->IsInteger && size >= 1.0 && size == std::floor(size) && size <= MaximumArraySteps)
+    const double first = std::floor(range[0]);
+    const double size = std::ceil(range[1]) - first;
+    if (size >= 1.0 && size <= MaximumArraySteps && HasIntegers(array.Components[c]))
     {
-      const double parts = std::ceil(MinimumArraySteps / size);
-      component.Steps = static_cast<std::uint32_t>(size * parts);
+      component.First = first;
+      component.Last = first + size;
+      component.Steps = static_cast<std::uint32_t>(size * std::ceil(MinimumArraySteps / size));
     }
   }
   const std::size_t points = array.Components.front().Values.size();
@@ -129,7 +145,8 @@ ArrayCodes ArrayCodes::Read(const nlohmann::json& header)
   {
     const auto& [first, last] = ranges[c];
     RequireSound(first <= last && std::isfinite(last - first));
-    RequireSound(steps[c] >= 1.0 && steps[c] <= MaximumArraySteps && steps[c] == std::floor(steps[c]));
+    RequireSound(
+      steps[c] >= 1.0 && steps[c] <= MaximumArraySteps && steps[c] == std::floor(steps[c]));
     codes.Components.push_back({ names[c], first, last, static_cast<std::uint32_t>(steps[c]) });
   }
   return codes;
@@ -148,9 +165,9 @@ SurfaceArray ArrayCodes::GetArray() const
     for (std::size_t i = 0; i < this->Points.size() / size; ++i)
     {
       const unsigned char* place = &this->Points[size * i + this->GetCodeSize() * c];
-      component.Values.push_back(this->Components[c].ToValue(
-        this->GetCodeSize() == 2 ? LoadNumber<std::uint16_t>(place)
-                                 : LoadNumber<std::uint32_t>(place)));
+      component.Values.push_back(
+        this->Components[c].ToValue(this->GetCodeSize() == 2 ? LoadNumber<std::uint16_t>(place)
+                                                             : LoadNumber<std::uint32_t>(place)));
     }
   }
   return array;

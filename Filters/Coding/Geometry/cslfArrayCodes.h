@@ -18,7 +18,8 @@
 namespace cslf
 {
 /// The values of a component are numbers of equal steps over its range, from 0 on, and one more for
-/// what is not a number. Steps are at most a thousandth of the range; each integer is one of them.
+/// what is not a number. Steps are at most a thousandth of the range. If most values are integers,
+/// each integer is one of them.
 class ArrayCodes
 {
 public:
