@@ -151,20 +151,32 @@ void AddSurfaceArrays(const std::vector<SurfaceArray>& arrays, vtkPolyData* geom
   }
   vtkNew<vtkStringArray> names;
   names->SetName(SurfaceArraysName);
+  vtkNew<vtkStringArray> integers;
+  integers->SetName(IntegerArraysName);
   for (const SurfaceArray& array : arrays)
   {
     names->InsertNextValue(array.Name);
+    if (array.IsInteger)
+    {
+      integers->InsertNextValue(array.Name);
+    }
     geometry->GetPointData()->AddArray(
       MakeDataArray(array, static_cast<std::size_t>(geometry->GetNumberOfPoints())));
   }
   geometry->GetFieldData()->AddArray(names);
+  if (integers->GetNumberOfValues() > 0)
+  {
+    geometry->GetFieldData()->AddArray(integers);
+  }
 }
 
 std::vector<SurfaceArray> FindSurfaceArrays(vtkPolyData* geometry)
 {
   std::vector<SurfaceArray> arrays;
-  auto* names =
-    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(SurfaceArraysName));
+  const auto find = [geometry](const char* name)
+  { return vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(name)); };
+  auto* names = find(SurfaceArraysName);
+  auto* integers = find(IntegerArraysName);
   std::vector<vtkIdType> all(static_cast<std::size_t>(geometry->GetNumberOfPoints()));
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -179,6 +191,7 @@ std::vector<SurfaceArray> FindSurfaceArrays(vtkPolyData* geometry)
     if (array && isNew && array->GetNumberOfTuples() == geometry->GetNumberOfPoints())
     {
       arrays.push_back(MakeSurfaceArray(array, name, all));
+      arrays.back().IsInteger = integers && integers->LookupValue(name) >= 0;
     }
   }
   return arrays;

@@ -37,7 +37,7 @@ struct VTKCSLF_EXPORT SurfaceArray
 
   std::string Name;
   std::vector<Component> Components;
-  bool IsInteger = false; ///< whether all values are integers
+  bool IsInteger = false; ///< whether integers must be kept
 
   /// A component's value at a point, or the magnitude if the component is negative.
   double GetValue(std::size_t point, int component) const;

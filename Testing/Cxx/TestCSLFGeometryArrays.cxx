@@ -216,6 +216,7 @@ void CheckArrays(vtkPolyData* geometry)
   CSLF_CHECK(flow.Components.size() == 3 && flow.Components[2].Name == "up");
   CSLF_CHECK(FindShareOff(geometry, flow, -1, 0.01, GetSpeed, IsAnywhere) < 0.005);
   const cslf::SurfaceArray& octant = *Find(points, "Octant");
+  CSLF_CHECK(octant.IsInteger);
   CSLF_CHECK(FindShareOff(geometry, octant, 0, 0.0, GetOctant, IsInside) < 1e-4);
   CSLF_CHECK(FindShareOff(geometry, *Find(points, "Cap"), 0, 0.01, GetCap, IsInside) < 1e-4);
 }
@@ -246,7 +247,7 @@ void CheckCodes(const cslf::SurfaceArray& array, const cslf::SurfaceArray& decod
     {
       most = std::max(most, std::abs(values[i] - others[i]));
       areIntegersExact = areIntegersExact &&
-        (array.Name != "Octant" || values[i] != std::floor(values[i]) || values[i] == others[i]);
+        (!array.IsInteger || values[i] != std::floor(values[i]) || values[i] == others[i]);
     }
     std::cout << "A file's " << array.Name << " is off by " << most << " of " << range[1] - range[0]
               << ".\n";

@@ -29,20 +29,6 @@ constexpr const char* ComponentsKey = "components";
 constexpr const char* RangesKey = "ranges";
 constexpr const char* StepsKey = "steps";
 constexpr const char* IntegerKey = "integer";
-
-/// Whether most known values are integers, which may stand for things: a surface has others only
-/// between points of different integers.
-bool HasIntegers(const SurfaceArray::Component& component)
-{
-  std::size_t known = 0;
-  std::size_t integers = 0;
-  for (const double value : component.Values)
-  {
-    known += std::isnan(value) ? 0 : 1;
-    integers += value == std::floor(value) ? 1 : 0;
-  }
-  return 2 * integers > known;
-}
 }
 
 std::uint32_t ArrayCodes::Component::ToCode(double value) const
@@ -80,7 +66,7 @@ ArrayCodes::ArrayCodes(const SurfaceArray& array)
     component.Steps = MinimumArraySteps;
     const double first = std::floor(range[0]);
     const double size = std::ceil(range[1]) - first;
-    if (size >= 1.0 && size <= MaximumArraySteps && HasIntegers(array.Components[c]))
+    if (this->IsInteger && size >= 1.0 && size <= MaximumArraySteps)
     {
       component.First = first;
       component.Last = first + size;
