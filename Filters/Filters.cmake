@@ -27,7 +27,7 @@ cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor
+  ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor SurfaceArray
   Phase PolygonFill Requests ScenePipeline TableCopy TriangleList ValidPolyData
   VTKCompatibility)
 
@@ -65,7 +65,8 @@ cslf_add(Filters/Quality DisplayCurve TexelChoice)
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1Bitstream Bitstreams Codec Track)
 cslf_add(Filters/Coding/Geometry
-  BodyGroups GeometryCodec GeometryFit GeometryRays GeometryStreams GeometryTexels MapCodes ShownRays)
+  ArrayCodes BodyGroups GeometryCodec GeometryFit GeometryRays GeometryStreams GeometryTexels MapCodes
+  ShownRays)
 cslf_add(Filters/Coding/Containers
   ContainerReader FileHeader FileParts MovieBoxes)
 cslf_add(Filters/Coding/Frames
@@ -110,7 +111,8 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/Parallel SceneGather)
-  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces ShapeGroups SurfaceLight Tessellation)
+  cslf_add(Filters/PathTracing/Geometry
+    GeometryMaker SceneArrays SeenPlaces ShapeGroups SurfaceLight Tessellation)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials

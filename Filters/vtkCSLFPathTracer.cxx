@@ -20,6 +20,7 @@
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArraySelection.h>
 #include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkExtentTranslator.h>
@@ -395,6 +396,7 @@ std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVect
   {
     importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
     importer->SetExactColors(this->Colors == Exact);
+    importer->SetSurfaceArraySelection(this->FindKeptArrays());
     std::optional<cslf::Phase> phase;
     const auto report = [this, &phase](vtkAlgorithm* running)
     {
@@ -475,9 +477,10 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
     }
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
+  vtkDataArraySelection* kept = this->FindKeptArrays();
   key << this->Colors << ' ' << this->DistributedScene << ' ' << this->MustGather() << ' '
       << this->ScalarVisibility << ' ' << this->GetInputArrayInformation(0)->GetMTime() << ' '
-      << (table ? table->GetMTime() : 0) << ' ';
+      << (table ? table->GetMTime() : 0) << ' ' << (kept ? kept->GetMTime() : 0) << ' ';
   WriteEnvironment(this->Internals->Environment, key);
   return key.str();
 }
@@ -524,6 +527,11 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
+  if (vtkDataArraySelection* kept = this->FindKeptArrays())
+  {
+    sceneOptions.KeepsArray = [kept](const std::string& name)
+    { return kept->ArrayIsEnabled(name.c_str()) != 0; };
+  }
   sceneOptions.ExactColors = this->Colors == Exact;
   sceneOptions.InPieces = this->DistributedScene;
   std::optional<cslf::Phase> phase;

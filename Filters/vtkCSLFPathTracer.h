@@ -57,6 +57,7 @@
 
 class vtkCSLFEnvironment;
 class vtkCSLFRadianceCacheOptions;
+class vtkDataArraySelection;
 class vtkDataObject;
 class vtkMultiProcessController;
 class vtkRenderer;
@@ -443,6 +444,11 @@ protected:
    */
   bool PrepareRendering(
     const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings);
+
+  /**
+   * The arrays of point data that surfaces of the scene keep. Null for none, which is the default.
+   */
+  virtual vtkDataArraySelection* FindKeptArrays() { return nullptr; }
 
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;

@@ -11,6 +11,7 @@
 #include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfFieldStream.h"
 #include "Pipeline/cslfGeometryArrays.h"
@@ -88,6 +89,16 @@ vtkDataArraySelection* vtkCSLFSampler::GetChannelSelection()
   return this->ChannelSelection;
 }
 
+vtkDataArraySelection* vtkCSLFSampler::GetSurfaceArraySelection()
+{
+  return this->SurfaceArraySelection;
+}
+
+vtkDataArraySelection* vtkCSLFSampler::FindKeptArrays()
+{
+  return this->SurfaceArraySelection;
+}
+
 void vtkCSLFSampler::SetGenerateDepth(bool generate)
 {
   this->ChannelSelection->SetArraySetting(cslf::DepthName, generate);
@@ -100,7 +111,8 @@ bool vtkCSLFSampler::GetGenerateDepth()
 
 vtkMTimeType vtkCSLFSampler::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->ChannelSelection->GetMTime());
+  return std::max({ this->Superclass::GetMTime(), this->ChannelSelection->GetMTime(),
+    this->SurfaceArraySelection->GetMTime() });
 }
 
 bool vtkCSLFSampler::CheckParameters()
@@ -262,7 +274,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     return;
   }
   std::ostringstream key;
-  key << this->GetMTime() << ' ' << scene.Fingerprint;
+  key << this->GetMTime() << ' ' << scene.Fingerprint << ' ' << scene.ArraysFingerprint;
   if (this->GeometryKey == key.str())
   {
     return;
@@ -305,6 +317,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
       colors.DropMaps();
     }
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
+    this->WarnOfArrays();
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())
     {
@@ -313,6 +326,34 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->GeometryKey = key.str();
   }
   this->GeometrySeconds = cslf::SecondsSince(start);
+}
+
+// Names the arrays that were asked for and are not there.
+void vtkCSLFSampler::WarnOfArrays()
+{
+  const cslf::MappedPoints points = cslf::FindMappedPoints(this->Geometry);
+  std::string missing;
+  for (int i = 0; i < this->SurfaceArraySelection->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = this->SurfaceArraySelection->GetArrayName(i);
+    const auto isScalars = [&name](const cslf::ColorMap& map) { return map.Array == name; };
+    const auto isArray = [&name](const cslf::SurfaceArray& array)
+    { return array.Name == cslf::NameScalars(name); };
+    const bool isThere =
+      std::any_of(points.Maps.begin(), points.Maps.end(), isScalars) ||
+      std::any_of(points.Arrays.begin(), points.Arrays.end(), isArray);
+    if (!isThere && this->SurfaceArraySelection->ArrayIsEnabled(name.c_str()))
+    {
+      missing += (missing.empty() ? "" : ", ") + name;
+    }
+  }
+  if (!missing.empty())
+  {
+    vtkWarningMacro("The geometry is without these arrays: "
+      << missing
+      << ". Only point data of opaque surfaces that look the same from all directions is kept, and "
+         "only beside one colour or a colour map.");
+  }
 }
 
 // The geometry without colours; nothing if aborted.
@@ -397,4 +438,6 @@ void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateDepth: " << this->GetGenerateDepth() << "\n";
   os << indent << "ChannelSelection:\n";
   this->ChannelSelection->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "SurfaceArraySelection:\n";
+  this->SurfaceArraySelection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -192,7 +192,16 @@ public:
   vtkDataArraySelection* GetChannelSelection();
 
   /**
-   * Includes the modification time of the selection of channels.
+   * The arrays of point data, by name, that the geometry keeps besides what gave its surfaces their
+   * colours, so that vtkCSLFMapper can show them later: numbers of one or more components. They
+   * cost some bytes of the file, and triangles where they vary. Surfaces of one colour get light
+   * apart from it. Arrays that are not listed are kept if SetUnknownArraySetting(1) says so.
+   * Surfaces that do not look the same from all directions have none. Default: none.
+   */
+  vtkDataArraySelection* GetSurfaceArraySelection();
+
+  /**
+   * Includes the modification times of both selections.
    */
   vtkMTimeType GetMTime() override;
 
@@ -205,6 +214,7 @@ protected:
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkDataArraySelection* FindKeptArrays() override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -220,6 +230,7 @@ private:
     const cslf::CheckedPicture& whole);
   std::optional<cslf::Geometry> MakeSurface(const cslf::BuiltScene& scene,
     const cslf::Description& description, const cslf::CheckedPicture& whole);
+  void WarnOfArrays();
   bool RenderSides(
     const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 
@@ -236,6 +247,7 @@ private:
   double CubeEdges[3] = { 2.0, 2.0, 2.0 };
   int ColorType = VTK_UNSIGNED_CHAR;
   vtkNew<vtkDataArraySelection> ChannelSelection;
+  vtkNew<vtkDataArraySelection> SurfaceArraySelection;
 };
 
 #endif

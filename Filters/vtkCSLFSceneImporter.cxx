@@ -25,6 +25,7 @@
 #include <vtkCameraPass.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkImageMapper3D.h>
@@ -423,9 +424,27 @@ void vtkCSLFSceneImporter::KeepScene()
   this->Renderer = nullptr;
 }
 
+void vtkCSLFSceneImporter::SetSurfaceArraySelection(vtkDataArraySelection* selection)
+{
+  if (this->SurfaceArraySelection != selection)
+  {
+    this->SurfaceArraySelection = selection;
+    this->Modified();
+  }
+}
+
+vtkDataArraySelection* vtkCSLFSceneImporter::GetSurfaceArraySelection()
+{
+  return this->SurfaceArraySelection;
+}
+
 vtkMTimeType vtkCSLFSceneImporter::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->SurfaceArraySelection)
+  {
+    time = std::max(time, this->SurfaceArraySelection->GetMTime());
+  }
   vtkRenderer* renderer = this->GetRenderer();
   if (!renderer || this->FindingTime)
   {
@@ -475,6 +494,10 @@ int vtkCSLFSceneImporter::RequestData(
   cslf::Phase phase(this, "Importing the scene");
   cslf::ImportedScene scene;
   scene.HasExactColors = this->ExactColors;
+  if (vtkDataArraySelection* kept = this->SurfaceArraySelection)
+  {
+    scene.KeepsArray = [kept](const char* name) { return kept->ArrayIsEnabled(name) != 0; };
+  }
   const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -586,6 +609,7 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "ExactColors: " << this->ExactColors << "\n";
+  os << indent << "SurfaceArraySelection: " << this->SurfaceArraySelection.Get() << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

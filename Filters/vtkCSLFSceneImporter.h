@@ -61,6 +61,7 @@
 #include "vtkSmartPointer.h" // for the scene of a deleted renderer
 #include "vtkWeakPointer.h"  // for the renderer
 
+class vtkDataArraySelection;
 class vtkProp;
 class vtkRenderer;
 
@@ -119,6 +120,15 @@ public:
   vtkSetMacro(ExactColors, bool);
   vtkGetMacro(ExactColors, bool);
   vtkBooleanMacro(ExactColors, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The arrays of point data that surfaces keep besides what gives them their colours, by name:
+   * vtkCSLFSampler sets its SurfaceArraySelection for its renderer. Null for none. Default: null.
+   */
+  void SetSurfaceArraySelection(vtkDataArraySelection* selection);
+  vtkDataArraySelection* GetSurfaceArraySelection();
   ///@}
 
   ///@{
@@ -182,6 +192,7 @@ private:
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
   bool ExactColors = false;
+  vtkSmartPointer<vtkDataArraySelection> SurfaceArraySelection;
   double PixelSize = 0.001;
   double PointRadius;
   bool FindingTime = false; // where the importer's own output is among what it looks at

@@ -7,6 +7,7 @@
 #include "cslfColor.h"
 #include "cslfGeometryMesh.h"
 
+#include <vtkNew.h>
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 
@@ -102,14 +103,31 @@ ColorMap Paint(const ColorMap& own, const glm::dvec3& color)
   return map;
 }
 
-/// A map as it is shown.
-ColorMap Apply(const ColorMap& own, const MapChoice& choice, std::string& problem)
+/// The map in which a field shows an array that gave it no colours.
+ColorMap MakeMapOf(const SurfaceArray& array, int component, const std::vector<ColorMap>& maps)
+{
+  std::array<double, 2> range =
+    array.GetRange(component).value_or(std::array<double, 2>{ 0.0, 1.0 });
+  range[1] = range[1] > range[0] ? range[1] : range[0] + 1.0;
+  const auto colors = std::find_if(
+    maps.begin(), maps.end(), [](const ColorMap& map) { return !map.IsOneColor; });
+  ColorMap map = colors != maps.end() ? *colors : MakeColorMap(vtkNew<vtkLookupTable>());
+  map.IsLogarithmic = false;
+  std::copy(range.begin(), range.end(), map.Range);
+  map.Array = array.Name;
+  map.Component = component < 0 ? MagnitudeName : array.Components[component].Name;
+  return map;
+}
+
+/// A map as it is shown, whether or not a choice selects it.
+ColorMap Apply(
+  const ColorMap& own, const MapChoice& choice, bool isSelected, std::string& problem)
 {
   if (choice.Plain)
   {
-    return Paint(own, *choice.Plain);
+    return own.IsOneColor ? own : Paint(own, *choice.Plain);
   }
-  if (!choice.Selects(own))
+  if (!isSelected)
   {
     return own;
   }
@@ -126,8 +144,9 @@ ColorMap Apply(const ColorMap& own, const MapChoice& choice, std::string& proble
 }
 }
 
-ShownMaps::ShownMaps(std::vector<ColorMap> maps)
+ShownMaps::ShownMaps(std::vector<ColorMap> maps, std::vector<ShownArray> arrays)
   : Maps(std::move(maps))
+  , Arrays(std::move(arrays))
 {
   for (const ColorMap& map : this->Maps)
   {
@@ -148,15 +167,22 @@ ShownMaps::ShownMaps(std::vector<ColorMap> maps)
 
 bool ShownMaps::HasPlacesOf(const ShownMaps& other) const
 {
-  return std::equal(this->Maps.begin(), this->Maps.end(), other.Maps.begin(), other.Maps.end(),
-    [](const ColorMap& a, const ColorMap& b) { return HaveSamePlaces(a, b); });
+  return this->Arrays == other.Arrays &&
+    std::equal(this->Maps.begin(), this->Maps.end(), other.Maps.begin(), other.Maps.end(),
+      [](const ColorMap& a, const ColorMap& b) { return HaveSamePlaces(a, b); });
 }
 
 glm::vec2 ShownMaps::GetPlace(const MappedPoints& points, std::size_t point) const
 {
-  return points.Has(point)
-    ? glm::vec2(this->Maps[points.Numbers[point] - 1].GetPlace(points.Scalars[point]))
-    : glm::vec2(0.0f);
+  if (!points.Has(point))
+  {
+    return glm::vec2(0.0f);
+  }
+  const std::size_t map = points.Numbers[point] - std::size_t(1);
+  const ShownArray& shown = this->Arrays[map];
+  return this->Maps[map].GetPlace(shown.Number < 0
+      ? points.Scalars[point]
+      : points.Arrays[shown.Number].GetValue(point, shown.Component));
 }
 
 std::vector<glm::vec2> ShownMaps::ListPlaces(const MappedPoints& points) const
@@ -185,13 +211,11 @@ const glm::vec4& ShownMaps::GetColor(std::size_t map, const glm::vec2& place) co
   return this->Image[row * static_cast<std::size_t>(this->Width) + column];
 }
 
-const ColorMap& FindMap(const std::vector<ColorMap>& maps, const std::string& array)
+int GetTableComponent(vtkScalarsToColors* table)
 {
-  MapChoice choice;
-  choice.Array = array;
-  const auto found = std::find_if(
-    maps.begin(), maps.end(), [&](const ColorMap& map) { return choice.Selects(map); });
-  return found != maps.end() ? *found : maps.front();
+  return table->GetVectorMode() == vtkScalarsToColors::COMPONENT
+    ? std::max(table->GetVectorComponent(), 0)
+    : -1;
 }
 
 MapTable::MapTable()
@@ -223,23 +247,96 @@ bool MapChoice::operator==(const MapChoice& other) const
 {
   return this->Table == other.Table && this->TableTime == other.TableTime &&
     this->UsesTableRange == other.UsesTableRange && this->Range == other.Range &&
-    this->Array == other.Array && this->Plain == other.Plain;
+    this->Array == other.Array && this->Component == other.Component &&
+    this->Plain == other.Plain;
 }
 
 bool MapChoice::Selects(const ColorMap& map) const
 {
-  return this->Array.empty() || this->Array == map.Array || this->Array == map.GetScalarName();
+  return !map.IsOneColor &&
+    (this->Array.empty() || this->Array == map.Array || this->Array == map.GetScalarName());
+}
+
+void MapChooser::SetGeometry(const std::shared_ptr<const GeometryMesh>& geometry)
+{
+  if (this->Geometry != geometry)
+  {
+    this->Geometry = geometry;
+    this->Made.clear();
+    this->Known.clear();
+  }
+}
+
+// Null if it selects none, or scalars of maps.
+const MapChooser::KnownArray* MapChooser::FindArray(const MapChoice& choice)
+{
+  const MappedPoints& points = this->Geometry->Mapped;
+  if (choice.Array.empty() || points.Arrays.empty())
+  {
+    return nullptr;
+  }
+  for (const auto& known : this->Known)
+  {
+    if (known->Text == choice.Array && known->Component == choice.Component)
+    {
+      return known->Array.Number >= 0 ? known.get() : nullptr;
+    }
+  }
+  this->Known.push_back(std::make_unique<KnownArray>());
+  KnownArray& known = *this->Known.back();
+  known.Text = choice.Array;
+  known.Component = choice.Component;
+  known.HasMap.assign(points.Maps.size(), 0);
+  for (std::size_t i = 0; i < points.Arrays.size(); ++i)
+  {
+    const SurfaceArray& array = points.Arrays[i];
+    const std::optional<int> told = array.FindComponent(choice.Array);
+    if (!told)
+    {
+      continue;
+    }
+    const int last = static_cast<int>(array.Components.size()) - 1;
+    const int component = choice.Array == array.Name ? std::min(choice.Component, last) : *told;
+    known.Array = { static_cast<int>(i), last > 0 ? component : 0 };
+    known.Map = MakeMapOf(array, known.Array.Component, points.Maps);
+    for (std::size_t point = 0; point < points.Numbers.size(); ++point)
+    {
+      if (points.Has(point) && !std::isnan(array.Components.front().Values[point]))
+      {
+        known.HasMap[points.Numbers[point] - 1] = 1;
+      }
+    }
+    return &known;
+  }
+  return nullptr;
+}
+
+const ColorMap& MapChooser::FindMap(
+  const std::shared_ptr<const GeometryMesh>& geometry, const MapChoice& choice)
+{
+  this->SetGeometry(geometry);
+  const std::vector<ColorMap>& maps = geometry->Mapped.Maps;
+  const auto find = [&maps](const MapChoice& wanted) {
+    return std::find_if(
+      maps.begin(), maps.end(), [&](const ColorMap& map) { return wanted.Selects(map); });
+  };
+  auto found = find(choice);
+  if (found == maps.end())
+  {
+    if (const KnownArray* array = this->FindArray(choice))
+    {
+      return array->Map;
+    }
+    found = find(MapChoice());
+  }
+  return found != maps.end() ? *found : maps.front();
 }
 
 std::shared_ptr<const ShownMaps> MapChooser::Choose(
   const std::shared_ptr<const GeometryMesh>& geometry, const MapChoice& choice,
   std::string& problem)
 {
-  if (this->Geometry != geometry)
-  {
-    this->Geometry = geometry;
-    this->Made.clear();
-  }
+  this->SetGeometry(geometry);
   if (!geometry || geometry->Mapped.IsEmpty())
   {
     return nullptr;
@@ -251,22 +348,27 @@ std::shared_ptr<const ShownMaps> MapChooser::Choose(
     return found->second;
   }
   const std::vector<ColorMap>& own = geometry->Mapped.Maps;
-  if (std::none_of(
-        own.begin(), own.end(), [&](const ColorMap& map) { return choice.Selects(map); }))
+  const KnownArray* array = this->FindArray(choice);
+  if (!array && !choice.Array.empty() &&
+    std::none_of(own.begin(), own.end(), [&](const ColorMap& map) { return choice.Selects(map); }))
   {
     problem = "none are of the array " + choice.Array;
   }
   std::vector<ColorMap> maps;
-  maps.reserve(own.size());
-  for (const ColorMap& map : own)
+  std::vector<ShownArray> arrays(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i)
   {
-    maps.push_back(Apply(map, choice, problem));
+    const bool isOther =
+      array && array->HasMap[i] != 0 && !choice.Plain && !choice.Selects(own[i]);
+    arrays[i] = isOther ? array->Array : ShownArray();
+    maps.push_back(Apply(
+      isOther ? array->Map : own[i], choice, isOther || choice.Selects(own[i]), problem));
   }
   if (this->Made.size() >= MaximumChoices)
   {
     this->Made.erase(this->Made.begin());
   }
-  this->Made.emplace_back(choice, std::make_shared<ShownMaps>(std::move(maps)));
+  this->Made.emplace_back(choice, std::make_shared<ShownMaps>(std::move(maps), std::move(arrays)));
   return this->Made.back().second;
 }
 }

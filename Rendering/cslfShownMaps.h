@@ -9,6 +9,7 @@
 #define cslfShownMaps_h
 
 #include "Pipeline/cslfColorMap.h"
+#include "Pipeline/cslfSurfaceArray.h"
 
 #include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
@@ -32,11 +33,24 @@ namespace cslf
 {
 struct GeometryMesh;
 
+/// What a map shows instead of the scalars of its points.
+struct ShownArray
+{
+  int Number = -1;   ///< of the array, or negative for the scalars
+  int Component = 0; ///< negative for the magnitude
+
+  bool operator==(const ShownArray& other) const
+  {
+    return this->Number == other.Number && this->Component == other.Component;
+  }
+};
+
 /// Maps, with their colours as an image. Never changes: others have another address.
 class ShownMaps
 {
 public:
-  explicit ShownMaps(std::vector<ColorMap> maps);
+  /// Given what each map shows.
+  ShownMaps(std::vector<ColorMap> maps, std::vector<ShownArray> arrays);
 
   const std::vector<ColorMap>& GetMaps() const { return this->Maps; }
 
@@ -63,6 +77,7 @@ public:
 
 private:
   std::vector<ColorMap> Maps;
+  std::vector<ShownArray> Arrays; // of the maps
   int Width = 1;
   std::vector<glm::vec4> Image;
 };
@@ -74,7 +89,8 @@ struct MapChoice
   vtkMTimeType TableTime = 0;                 ///< when it was changed last
   bool UsesTableRange = false;                ///< if there is one
   std::optional<std::array<double, 2>> Range; ///< otherwise, instead of the maps' own
-  std::string Array;                          ///< of the maps that are meant; empty for all
+  std::string Array;                          ///< that is meant; empty for the scalars of all maps
+  int Component = 0;                          ///< of that, unless its text tells
   std::optional<glm::dvec3> Plain;            ///< a colour, sRGB-encoded, instead of all maps
 
   bool operator==(const MapChoice& other) const;
@@ -82,8 +98,8 @@ struct MapChoice
   bool Selects(const ColorMap& map) const;
 };
 
-/// The first map of an array, or of all if there is none. There must be any.
-const ColorMap& FindMap(const std::vector<ColorMap>& maps, const std::string& array);
+/// The component of arrays that a table maps; negative for the magnitude.
+int GetTableComponent(vtkScalarsToColors* table);
 
 /// A lookup table that maps like a map, unless somebody else changes it.
 class MapTable
@@ -115,8 +131,28 @@ public:
   std::shared_ptr<const ShownMaps> Choose(const std::shared_ptr<const GeometryMesh>& geometry,
     const MapChoice& choice, std::string& problem);
 
+  /// The map in which the field itself shows what a choice selects: the first one of its scalars,
+  /// or for other arrays the first colours there are, over the range of the array. There must be
+  /// mapped points.
+  const ColorMap& FindMap(
+    const std::shared_ptr<const GeometryMesh>& geometry, const MapChoice& choice);
+
 private:
+  /// Other arrays that were selected.
+  struct KnownArray
+  {
+    std::string Text;
+    int Component = 0;
+    ShownArray Array;
+    ColorMap Map;
+    std::vector<char> HasMap; ///< whether points with each map have the array
+  };
+
+  void SetGeometry(const std::shared_ptr<const GeometryMesh>& geometry);
+  const KnownArray* FindArray(const MapChoice& choice);
+
   std::shared_ptr<const GeometryMesh> Geometry;
+  std::vector<std::unique_ptr<KnownArray>> Known;
   std::vector<std::pair<MapChoice, std::shared_ptr<const ShownMaps>>> Made;
 };
 }

@@ -405,6 +405,22 @@ std::string vtkCSLFMapper::GetSelectedArray()
 }
 
 //------------------------------------------------------------------------------
+// The array that is selected, and its component: that of ColorByArrayComponent, or else of the
+// table, as in other mappers.
+cslf::MapChoice vtkCSLFMapper::GetMapSelection()
+{
+  cslf::MapChoice choice;
+  choice.Array = this->GetSelectedArray();
+  choice.Component = std::max(this->ArrayComponent, 0);
+  vtkScalarsToColors* table = this->GetUserTable();
+  if (table && this->ArrayComponent < 0)
+  {
+    choice.Component = cslf::GetTableComponent(table);
+  }
+  return choice;
+}
+
+//------------------------------------------------------------------------------
 // The table that was set. Null if there is none but the one of the mapper's own.
 vtkScalarsToColors* vtkCSLFMapper::GetUserTable() const
 {
@@ -424,7 +440,7 @@ void vtkCSLFMapper::UpdateScalarRange()
     return;
   }
   const cslf::ColorMap& map =
-    cslf::FindMap(internals.Geometry->Mapped.Maps, this->GetSelectedArray());
+    internals.Chooser.FindMap(internals.Geometry, this->GetMapSelection());
   if (!this->HasScalarRange)
   {
     std::copy_n(map.Range, 2, this->ScalarRange);
@@ -436,8 +452,7 @@ void vtkCSLFMapper::UpdateScalarRange()
 std::shared_ptr<const cslf::ShownMaps> vtkCSLFMapper::ChooseMaps(vtkActor* actor)
 {
   this->UpdateScalarRange();
-  cslf::MapChoice choice;
-  choice.Array = this->GetSelectedArray();
+  cslf::MapChoice choice = this->GetMapSelection();
   if (this->ScalarVisibility)
   {
     choice.Table = this->GetUserTable();

@@ -360,6 +360,7 @@ private:
   std::string GetSelectedArray();
   vtkScalarsToColors* GetUserTable() const;
   void UpdateScalarRange();
+  cslf::MapChoice GetMapSelection();
   std::shared_ptr<const cslf::ShownMaps> ChooseMaps(vtkActor* actor);
   void WarnOfMaps(const cslf::MapChoice& choice, const std::string& problem);
   void Draw(vtkRenderer* renderer, vtkActor* actor);

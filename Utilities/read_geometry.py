@@ -301,16 +301,45 @@ def read_maps(header, streams, rest):
     if header.get("colors") != "light8":
         return None
     sizes = header["place_bytes"], header["body_place_bytes"]
-    bodies = header.get("bodies", {"groups": []})["groups"]
-    counts = header["points"], sum(group["points"] * group["bodies"] for group in bodies)
     codes = [read_attributes(streams[first:first + size], count, 4)
-             for first, size, count in zip((0, sizes[0]), sizes, counts) if count]
+             for first, size, count in zip((0, sizes[0]), sizes, count_points(header)) if count]
     return Maps(header, numpy.concatenate(codes), rest)
+
+
+def read_array(header, streams, counts):
+    """The values of an array, one row for each point, and the streams after it. What is not a
+    number is NaN."""
+    steps = numpy.array(header["steps"], float)
+    kind = "<u2" if steps.max() < 65535 else "<u4"
+    row = (numpy.dtype(kind).itemsize * len(steps) + 3) // 4 * 4
+    parts = []
+    for size, count in zip((header["bytes"], header["body_bytes"]), counts):
+        if count:
+            parts.append(read_attributes(streams[:size], count, row))
+        streams = streams[size:]
+    codes = numpy.concatenate(parts).view(kind)[:, :len(steps)].astype(float)
+    first, last = numpy.array(header["ranges"], float).T
+    values = first + (last - first) * codes / steps
+    return numpy.where(codes > steps, numpy.nan, values), streams
+
+
+def count_points(header):
+    """The points without bodies, and those of all bodies."""
+    groups = header.get("bodies", {"groups": []})["groups"]
+    return header["points"], sum(group["points"] * group["bodies"] for group in groups)
+
+
+def read_arrays(header, streams):
+    """The arrays by their names, and the streams after them."""
+    arrays = {}
+    for one in header.get("arrays", []):
+        arrays[one["name"]], streams = read_array(one, streams, count_points(header))
+    return arrays, streams
 
 
 def read_geometry(data):
     """Points in CC, the corners of triangles, exact colours, colour maps, and the header, of the
-    bytes of the part."""
+    bytes of the part. The header gets the values of the arrays as "values"."""
     size = struct.unpack_from("<I", data)[0]
     header = json.loads(data[4:4 + size])
     streams = zlib.decompress(data[4 + size:])
@@ -329,7 +358,8 @@ def read_geometry(data):
     end += (header.get("color_bytes", 0) + header.get("back_color_bytes", 0)
             + header.get("exact_bytes", 0))
     places = streams[end:]
-    rest = streams[end + header.get("place_bytes", 0) + header.get("body_place_bytes", 0):]
+    end += header.get("place_bytes", 0) + header.get("body_place_bytes", 0)
+    header["values"], rest = read_arrays(header, streams[end:])
     if "bodies" in header:
         for group in header["bodies"]["groups"]:
             bodies = Bodies(header["bodies"], group, rest, header.get("position_bits", 16))

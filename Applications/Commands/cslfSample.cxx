@@ -72,8 +72,13 @@ struct Options
   double SuggestForSize = 0.0;
   bool Estimate = false;
   std::map<std::string, bool> Channels; ///< whether to sample each
+  std::vector<std::string> Arrays;      ///< that surfaces keep
   bool Float = false;
 };
+
+/// Words in place of arrays.
+constexpr const char* AllArrays = "all";
+constexpr const char* NoArrays = "none";
 
 void SetCube(const Options& options, vtkCSLFSampler* sampler)
 {
@@ -119,6 +124,17 @@ void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
   for (const auto& [name, isSampled] : options.Channels)
   {
     sampler->GetChannelSelection()->SetArraySetting(name.c_str(), isSampled);
+  }
+  for (const std::string& name : options.Arrays)
+  {
+    if (name == AllArrays)
+    {
+      sampler->GetSurfaceArraySelection()->SetUnknownArraySetting(1);
+    }
+    else if (name != NoArrays)
+    {
+      sampler->GetSurfaceArraySelection()->EnableArray(name.c_str());
+    }
   }
   sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
   sampler->SetSurfaceTexels(options.SurfaceTexels);
@@ -402,6 +418,14 @@ void AddField(CLI::App& command, Options& options)
       std::string(cslf::options::SurfaceTexels.Help) + " (default: yes)")
     ->group(field);
   AddOption(command, cslf::options::GeometryTriangles, options.GeometryTriangles)->group(field);
+  command
+    .add_option("--arrays", options.Arrays,
+      "arrays of points that the field's surfaces keep besides the one that colours them, so that "
+      "they can be coloured by these later; all: all arrays of points (default: none)")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->type_name("NAME,...")
+    ->group(field);
   command
     .add_option("--center", options.Center,
       "centre of the cube, with --edges (default: a cube around the scene)")

@@ -20,16 +20,30 @@ namespace
 {
 /// The name of a component on the command line, and in geometries.
 constexpr const char* MagnitudeOption = "magnitude";
-constexpr const char* MagnitudeComponent = "Magnitude";
 
 FieldScalars MakeScalars(const ColorMap& map)
 {
   FieldScalars scalars;
   scalars.Array = map.Array;
-  scalars.Component = map.Component == MagnitudeComponent ? MagnitudeOption : map.Component;
+  scalars.Component = map.Component == MagnitudeName ? MagnitudeOption : map.Component;
   scalars.ScalarName = map.GetScalarName();
   std::copy_n(map.Range, 2, scalars.MapRange.begin());
   scalars.IsLogarithmic = map.IsLogarithmic;
+  return scalars;
+}
+
+/// Without its values.
+FieldScalars MakeScalars(const SurfaceArray& array, int component)
+{
+  FieldScalars scalars;
+  scalars.Array = array.Name;
+  scalars.ScalarName = array.GetScalarName(component);
+  scalars.HasMap = false;
+  if (array.Components.size() > 1)
+  {
+    const std::string name = component < 0 ? MagnitudeOption : array.Components[component].Name;
+    scalars.Component = name.empty() ? std::to_string(component) : name;
+  }
   return scalars;
 }
 
@@ -88,7 +102,32 @@ std::vector<FieldScalars> ListScalars(const FieldFile& file)
       AddValue(list[points.Numbers[i] - 1], points.Scalars[i]);
     }
   }
-  return list;
+  std::vector<FieldScalars> all;
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    if (!points.Maps[i].IsOneColor)
+    {
+      all.push_back(list[i]);
+    }
+  }
+  for (const SurfaceArray& array : points.Arrays)
+  {
+    const int size = static_cast<int>(array.Components.size());
+    for (int component = size > 1 ? -1 : 0; component < size; ++component)
+    {
+      all.push_back(MakeScalars(array, component));
+      for (std::size_t i = 0; i < points.Numbers.size(); ++i)
+      {
+        const double value = array.GetValue(i, component);
+        if (points.Has(i) && !std::isnan(value))
+        {
+          AddValue(all.back(), value);
+        }
+      }
+      all.back().MapRange = all.back().Range.value_or(std::array<double, 2>{ 0.0, 1.0 });
+    }
+  }
+  return all;
 }
 
 std::string ListLabels(const std::vector<FieldScalars>& scalars)
@@ -104,11 +143,15 @@ std::string ListLabels(const std::vector<FieldScalars>& scalars)
 nlohmann::json Summarize(const FieldScalars& scalars)
 {
   nlohmann::json json = { { "array", scalars.Array }, { "points", scalars.Points },
-    { "range", nullptr }, { "map_range", scalars.MapRange },
+    { "range", nullptr }, { "map_range", nullptr },
     { "logarithmic", scalars.IsLogarithmic } };
   if (!scalars.Component.empty())
   {
     json["component"] = scalars.Component;
+  }
+  if (scalars.HasMap)
+  {
+    json["map_range"] = scalars.MapRange;
   }
   if (scalars.Range)
   {
@@ -125,8 +168,11 @@ std::string Describe(const FieldScalars& scalars)
   {
     text << " from " << (*scalars.Range)[0] << " to " << (*scalars.Range)[1];
   }
-  text << ", colour map from " << scalars.MapRange[0] << " to " << scalars.MapRange[1]
-       << (scalars.IsLogarithmic ? ", logarithmic" : "");
+  if (scalars.HasMap)
+  {
+    text << ", colour map from " << scalars.MapRange[0] << " to " << scalars.MapRange[1]
+         << (scalars.IsLogarithmic ? ", logarithmic" : "");
+  }
   return text.str();
 }
 }

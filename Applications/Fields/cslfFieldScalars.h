@@ -19,7 +19,8 @@ namespace cslf::tool
 {
 struct FieldFile;
 
-/// The points of a geometry that have scalars of one array with one colour map.
+/// The points of a geometry that have scalars of one array with one colour map, or a component of
+/// an array that gave no colours.
 struct FieldScalars
 {
   std::string Array;
@@ -27,7 +28,8 @@ struct FieldScalars
   std::string ScalarName; ///< of the geometry's array, which a mapper selects
   std::int64_t Points = 0;
   std::optional<std::array<double, 2>> Range; ///< of finite values, if there are any
-  std::array<double, 2> MapRange{};           ///< with which the field was sampled
+  bool HasMap = true;                         ///< with which the field was sampled
+  std::array<double, 2> MapRange{};           ///< of that, or else of the values
   bool IsLogarithmic = false;                 ///< the map
 
   /// As it is written on the command line: ARRAY[:COMPONENT].
@@ -44,8 +46,8 @@ std::vector<FieldScalars> ListScalars(const FieldFile& file);
 std::string ListLabels(const std::vector<FieldScalars>& scalars);
 
 ///@{
-/// Scalars for `info`: "array", "component", "points", "range", "map_range" and "logarithmic"; and
-/// this in words.
+/// Scalars for `info`: "array", "component", "points", "range", "map_range", which is null without
+/// a map, and "logarithmic"; and this in words.
 nlohmann::json Summarize(const FieldScalars& scalars);
 std::string Describe(const FieldScalars& scalars);
 ///@}

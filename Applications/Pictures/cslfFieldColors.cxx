@@ -149,7 +149,7 @@ void FieldColors::Apply(vtkCSLFMapper* mapper) const
   if (!this->Options.Array.empty())
   {
     // An array's name alone means all its components.
-    const bool isWhole = this->Options.Array == this->Shown.Array;
+    const bool isWhole = this->Options.Array == this->Shown.Array && this->Shown.HasMap;
     mapper->SelectColorArray((isWhole ? this->Shown.Array : this->Shown.ScalarName).c_str());
   }
   std::array<double, 2> range = this->Shown.MapRange;

@@ -26,6 +26,12 @@ constexpr std::size_t MaximumMeetings = 8;
 /// How near places on a map are, in columns, to become one.
 constexpr float MaximumDistance = 0.01f;
 
+/// The same for values of arrays, as shares of their ranges.
+constexpr float MaximumArrayDistance = 5e-4f;
+
+/// How little samples of arrays differ, as shares of ranges, to be the same but for rounding.
+constexpr float SameShare = 1e-6f;
+
 /// How little colours of corners at one place differ to become one.
 constexpr float MaximumDifference = 2.0f / 255.0f;
 
@@ -253,7 +259,10 @@ void ColorFit::Solve(const std::function<void(double)>& proceed)
   this->JoinCorners();
   const bool hasMaps = std::any_of(this->Samples.begin(), this->Samples.end(),
     [](const TriangleSamples& samples) { return samples.Map > 0; });
-  for (int kind = 0; kind < (hasMaps ? Kinds : PlaceKind); ++kind)
+  const std::size_t arrays = this->Samples.empty() ? 0 : this->Samples.front().Arrays.size();
+  const int kinds = hasMaps ? FirstArrayKind + static_cast<int>(arrays) : PlaceKind;
+  this->Colors.assign(FirstArrayKind + arrays, {});
+  for (int kind = 0; kind < kinds; ++kind)
   {
     this->SolveKind(kind, proceed);
   }
@@ -284,6 +293,22 @@ double ColorFit::FindPlaceError(std::size_t triangle) const
   return factor * factor * samples.Places.GetError(own);
 }
 
+// The same for values of arrays.
+double ColorFit::FindArrayError(std::size_t triangle) const
+{
+  const TriangleSamples& samples = this->Samples[triangle];
+  const glm::uvec3& corners = this->Values[triangle];
+  double most = 0.0;
+  for (std::size_t i = 0; i < samples.Arrays.size() && samples.Map > 0; ++i)
+  {
+    const std::vector<glm::vec3>& values = this->Colors[FirstArrayKind + i];
+    const glm::vec3 own[3] = { values[corners.x], values[corners.y], values[corners.z] };
+    most = std::max(most, samples.Arrays[i].GetError(own));
+  }
+  const double factor = most > 0.0 ? this->Settings.Tolerance / this->Settings.ArrayTolerance : 0.0;
+  return factor * factor * most;
+}
+
 // Whether the colours of a triangle vary more than a number of tolerances, however they are lit.
 bool ColorFit::HasDetail(std::size_t triangle, double tolerances) const
 {
@@ -307,6 +332,7 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
   {
     double Error;
     std::size_t Triangle;
+    bool IsForArrays; // they must not take the triangles that colours need
   };
   std::vector<Candidate> candidates;
   const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
@@ -319,12 +345,21 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
     }
     if (error > tolerance * this->Samples[i].Area || this->HasDetail(i, 1.0))
     {
-      candidates.push_back({ error, i });
+      candidates.push_back({ error, i, false });
+    }
+    const double arrayError = this->FindArrayError(i);
+    if (arrayError > tolerance * this->Samples[i].Area)
+    {
+      candidates.push_back({ arrayError, i, true });
     }
   }
   std::sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b)
-    { return a.Error != b.Error ? a.Error > b.Error : a.Triangle < b.Triangle; });
+    {
+      return a.IsForArrays != b.IsForArrays ? b.IsForArrays
+        : a.Error != b.Error                ? a.Error > b.Error
+                                            : a.Triangle < b.Triangle;
+    });
   std::vector<std::uint64_t> edges;
   for (const Candidate& candidate : candidates)
   {
@@ -336,7 +371,9 @@ std::vector<std::uint64_t> ColorFit::ChooseEdges() const
     }
     const int longest =
       static_cast<int>(std::max_element(std::begin(lengths), std::end(lengths)) - lengths);
-    if (lengths[longest] > this->Settings.ShortestEdge)
+    const float shortest =
+      candidate.IsForArrays ? this->Settings.ShortestArrayEdge : this->Settings.ShortestEdge;
+    if (lengths[longest] > shortest)
     {
       edges.push_back(EdgeOf(corners[longest], corners[(longest + 1) % 3]));
     }
@@ -596,8 +633,47 @@ std::vector<std::uint8_t> ColorFit::FindMaps() const
   return maps;
 }
 
-SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
+// Where all samples around a value of an array are the same, so is it: least squares are only
+// nearly that, but numbers may stand for things.
+void ColorFit::PinArrays()
 {
+  for (std::size_t kind = FirstArrayKind; kind < this->Colors.size(); ++kind)
+  {
+    std::vector<glm::vec3>& values = this->Colors[kind];
+    std::vector<glm::vec3> least(values.size(), glm::vec3(2.0f)); // shares end at 1
+    std::vector<glm::vec3> most(values.size(), glm::vec3(-1.0f));
+    for (std::size_t i = 0; i < this->Values.size() && !values.empty(); ++i)
+    {
+      const SampleSums& sums = this->GetSums(i, static_cast<int>(kind));
+      const glm::vec3 spread =
+        glm::max(glm::max(glm::abs(sums.Products[0]), glm::abs(sums.Products[1])),
+          glm::abs(sums.Products[2]));
+      for (int c = 0; sums.Weight > 0.0f && c < 3; ++c)
+      {
+        const bool isSame = spread[c] <= SameShare * sums.Weight;
+        for (int k = 0; k < 3; ++k)
+        {
+          float& first = least[this->Values[i][k]][c];
+          float& last = most[this->Values[i][k]][c];
+          first = std::min(first, isSame ? sums.Origin[c] : -1.0f);
+          last = std::max(last, isSame ? sums.Origin[c] : 2.0f);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const bool isSame = std::abs(most[i][c] - least[i][c]) <= SameShare;
+        values[i][c] = isSame ? least[i][c] : values[i][c];
+      }
+    }
+  }
+}
+
+SideColors ColorFit::Finish(FittedValues& values)
+{
+  this->PinArrays();
   const std::size_t count = this->Places.size();
   std::array<std::vector<char>, 2> areKnown;
   const std::array<std::vector<unsigned char>, 2> exact = this->FindExactCodes();
@@ -620,9 +696,16 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
   {
     mostLight = std::max(mostLight, samples.MaximumLight);
   }
+  const auto haveSameArrays = [&](unsigned int a, unsigned int b)
+  {
+    return std::all_of(this->Colors.begin() + FirstArrayKind, this->Colors.end(),
+      [&](const std::vector<glm::vec3>& array)
+      { return array.empty() || glm::distance(array[a], array[b]) <= MaximumArrayDistance; });
+  };
   const auto areAlike = [&](unsigned int a, unsigned int b)
   {
-    if (maps[a] != maps[b] || (maps[a] > 0 && glm::distance(own[a], own[b]) > MaximumDistance))
+    if (maps[a] != maps[b] ||
+      (maps[a] > 0 && (glm::distance(own[a], own[b]) > MaximumDistance || !haveSameArrays(a, b))))
     {
       return false;
     }
@@ -647,6 +730,7 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
   std::vector<unsigned int> kept;
   SurfaceMesh lit;
   SideColors result;
+  values.Arrays.resize(hasMaps ? this->Colors.size() - FirstArrayKind : 0);
   for (std::size_t i = 0; i < count; ++i)
   {
     const unsigned int value = order[i];
@@ -679,7 +763,11 @@ SideColors ColorFit::Finish(std::vector<glm::vec2>& places)
     if (hasMaps)
     {
       result.Mapped.Numbers.push_back(maps[value]);
-      places.emplace_back(own[value]);
+      values.Places.emplace_back(own[value]);
+    }
+    for (std::size_t array = 0; array < values.Arrays.size(); ++array)
+    {
+      values.Arrays[array].push_back(this->Colors[FirstArrayKind + array][value]);
     }
   }
   for (const glm::uvec3& corners : this->Values)

@@ -125,7 +125,10 @@ struct TriangleSamples
   std::uint8_t Map = 0;
   SampleSums Places;
   float PlaceTolerance = 0.0f; ///< the RMS error of places that is small enough
-  float MaximumLight = 0.0f;   ///< of the samples
+
+  /// Of arrays, three values each, as shares of their ranges; none if there are no arrays.
+  std::vector<SampleSums> Arrays;
+  float MaximumLight = 0.0f; ///< of the samples
   float BaseSquare = 1.0f;   ///< the mean square of its colours under white light, if it has a map
   bool IsRound = false;      ///< whether what it belongs to has no creases
   std::uint32_t Body = None; ///< what it belongs to
@@ -133,19 +136,28 @@ struct TriangleSamples
 
 struct ColorFitSettings
 {
-  float ShortestEdge = 0.0f; ///< edges that are no longer are not divided
-  bool ClampsColors = true;  ///< whether colours end at 1
-  bool HasCreases = true;    ///< whether angles between triangles are those of what was sampled
-  bool KeepsMesh = false;    ///< whether each point has one colour, and no triangle is divided
-  double Tolerance = 0.0;    ///< the RMS error of a triangle that is small enough
+  float ShortestEdge = 0.0f;      ///< edges that are no longer are not divided
+  float ShortestArrayEdge = 0.0f; ///< the same where only values of arrays err
+  bool ClampsColors = true;       ///< whether colours end at 1
+  bool HasCreases = true; ///< whether angles between triangles are those of what was sampled
+  bool KeepsMesh = false; ///< whether each point has one colour, and no triangle is divided
+  double Tolerance = 0.0; ///< the RMS error of a triangle that is small enough
   /// The same for what best fits its detail: the colours may be better known than their light.
   double DetailTolerance = 0.0;
+  double ArrayTolerance = 0.0; ///< the same for values of arrays
   std::size_t MaximumTriangles = 0;
 
   /// Moves a point of a surface that it belongs to onto that. Given its normal and what it belongs
   /// to; may be empty.
   std::function<glm::vec3(const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)>
     Project;
+};
+
+/// What is fitted besides colours.
+struct FittedValues
+{
+  std::vector<glm::vec2> Places;              ///< on maps; none if there are no maps
+  std::vector<std::vector<glm::vec3>> Arrays; ///< as TriangleSamples::Arrays, each of all points
 };
 
 /**
@@ -182,28 +194,32 @@ public:
 
   /// Gives each colour a point of its own, unless those at a place are nearly the same. Mapped
   /// points get no scalars, but their places.
-  SideColors Finish(std::vector<glm::vec2>& places);
+  SideColors Finish(FittedValues& values);
 
 private:
-  /// What is fitted: the colours of both sides, and places on maps.
-  static constexpr int Kinds = 3;
+  /// What is fitted: the colours of both sides, places on maps, and arrays.
   static constexpr int PlaceKind = 2;
+  static constexpr int FirstArrayKind = 3;
 
   const SampleSums& GetSums(std::size_t triangle, int kind) const
   {
     const TriangleSamples& samples = this->Samples[triangle];
-    return kind == PlaceKind ? samples.Places : samples.Sides[kind];
+    return kind >= FirstArrayKind ? samples.Arrays[kind - FirstArrayKind]
+      : kind == PlaceKind         ? samples.Places
+                                  : samples.Sides[kind];
   }
 
   void JoinCorners();
   void SolveKind(int kind, const std::function<void(double)>& proceed);
   void Apply(int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;
+  void PinArrays();
   std::vector<std::uint8_t> FindMaps() const;
   std::vector<std::uint64_t> ChooseEdges() const;
   void LimitEdges(std::vector<std::uint64_t>& edges) const;
   void ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned int>& middles);
   double FindError(std::size_t triangle, int side) const;
   double FindPlaceError(std::size_t triangle) const;
+  double FindArrayError(std::size_t triangle) const;
   bool HasDetail(std::size_t triangle, double tolerances) const;
   float FindLength(std::size_t triangle, int edge) const;
   std::array<std::vector<char>, 2> FindExact() const;
@@ -211,11 +227,11 @@ private:
 
   ColorFitSettings Settings;
   SurfaceMesh& Surface;
-  std::vector<TriangleSamples> Samples;             // of the triangles
-  std::vector<char> AreNew;                         // whether they have no samples yet
-  std::vector<glm::uvec3> Values;                   // of the corners of each triangle
-  std::vector<unsigned int> Places;                 // the point of each value
-  std::array<std::vector<glm::vec3>, Kinds> Colors; // of the values
+  std::vector<TriangleSamples> Samples;       // of the triangles
+  std::vector<char> AreNew;                   // whether they have no samples yet
+  std::vector<glm::uvec3> Values;             // of the corners of each triangle
+  std::vector<unsigned int> Places;           // the point of each value
+  std::vector<std::vector<glm::vec3>> Colors; // of each kind, of the values
 };
 }
 

@@ -112,18 +112,16 @@ bool ColorMap::IsOpaque() const
 std::string ColorMap::GetScalarName() const
 {
   const std::string name = this->Array.empty() ? "Scalars" : this->Array;
-  if (!this->Component.empty())
-  {
-    return name + " " + this->Component;
-  }
-  const bool isTaken = name == ColorName || name == BackColorName || name == ExactColorName ||
-    name == LightName || name == BackLightName || name == ColorMapName;
-  return isTaken ? name + " (scalars)" : name;
+  return this->Component.empty() ? NameScalars(name) : name + " " + this->Component;
 }
 
 glm::dvec2 ColorMap::GetPlace(double value) const
 {
   const int steps = this->GetSteps();
+  if (this->IsOneColor)
+  {
+    return { 1.5, 0.0 };
+  }
   if (std::isnan(value))
   {
     return { 0.5 * (steps + 2), 1.0 };
@@ -182,6 +180,22 @@ glm::vec3 ColorMap::GetColor(const glm::dvec2& place) const
   return SRGBToLinear(glm::dvec3(color[0], color[1], color[2]) / 255.0);
 }
 
+std::string NameScalars(const std::string& array)
+{
+  const bool isTaken = array == ColorName || array == BackColorName || array == ExactColorName ||
+    array == LightName || array == BackLightName || array == ColorMapName;
+  return isTaken ? array + " (scalars)" : array;
+}
+
+ColorMap MakeOneColor(const ColorMap::Pixel& color)
+{
+  ColorMap map;
+  map.IsOneColor = true;
+  map.Colors.assign(3, color);
+  map.NanColor = color;
+  return map;
+}
+
 ColorMap MakeColorMap(vtkScalarsToColors* table)
 {
   ColorMap map;
@@ -223,7 +237,7 @@ std::string NameComponent(vtkDataArray* array, int component)
   }
   if (component < 0)
   {
-    return "Magnitude";
+    return MagnitudeName;
   }
   const char* name = array->GetComponentName(component);
   return name ? name : std::to_string(component);
@@ -267,8 +281,12 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
 
 std::string DescribeColorMap(const ColorMap& map)
 {
-  nlohmann::json text = { { ArrayKey, map.Array }, { RangeKey, { map.Range[0], map.Range[1] } },
+  nlohmann::json text = { { RangeKey, { map.Range[0], map.Range[1] } },
     { StepsKey, map.GetSteps() } };
+  if (!map.IsOneColor)
+  {
+    text[ArrayKey] = map.Array;
+  }
   if (!map.Component.empty())
   {
     text[ComponentKey] = map.Component;
@@ -284,13 +302,15 @@ ColorMap ReadColorMap(const std::string& text)
 {
   const nlohmann::json from = ParseJSON(text);
   ColorMap map;
-  map.Array = from.at(ArrayKey).get<std::string>();
+  map.IsOneColor = !from.contains(ArrayKey);
+  map.Array = from.value(ArrayKey, std::string());
   map.Component = from.value(ComponentKey, std::string());
   map.IsLogarithmic = from.value(LogarithmicKey, false);
   const auto range = from.at(RangeKey).get<std::array<double, 2>>();
   std::copy(range.begin(), range.end(), map.Range);
   const int steps = from.at(StepsKey).get<int>();
-  if (steps < 1 || steps > MaximumSteps || !IsValid(map.Range, map.IsLogarithmic))
+  if (steps < 1 || steps > MaximumSteps || !IsValid(map.Range, map.IsLogarithmic) ||
+    (map.IsOneColor && steps > 1))
   {
     throw std::invalid_argument("a color map is invalid");
   }
@@ -379,8 +399,13 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
   AddColorMaps(points.Maps, geometry);
   // Floats would be rounded to values outside of the range.
   std::map<std::string, vtkSmartPointer<vtkDoubleArray>> scalars;
+  AddSurfaceArrays(points.Arrays, geometry);
   for (const ColorMap& map : points.Maps)
   {
+    if (map.IsOneColor)
+    {
+      continue;
+    }
     vtkSmartPointer<vtkDoubleArray>& array = scalars[map.GetScalarName()];
     if (!array)
     {
@@ -388,6 +413,14 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
       array->SetName(map.GetScalarName().c_str());
       array->SetNumberOfTuples(count);
       array->FillValue(vtkMath::Nan());
+      // Elsewhere the same array may have coloured nothing.
+      for (const SurfaceArray& other : points.Arrays)
+      {
+        for (vtkIdType i = 0; i < count && other.Name == map.GetScalarName(); ++i)
+        {
+          array->SetValue(i, other.GetValue(static_cast<std::size_t>(i), 0));
+        }
+      }
       array->SetLookupTable(MakeLookupTable(map));
     }
   }
@@ -398,7 +431,7 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
   {
     const auto point = static_cast<std::size_t>(i);
     numbers->SetValue(i, points.Numbers[point]);
-    if (points.Has(point))
+    if (points.Has(point) && !points.GetMap(point).IsOneColor)
     {
       scalars[points.GetMap(point).GetScalarName()]->SetValue(i, points.Scalars[point]);
     }
@@ -427,6 +460,7 @@ try
     return points;
   }
   points.Maps = FindColorMaps(geometry);
+  points.Arrays = FindSurfaceArrays(geometry);
   std::vector<vtkDataArray*> scalars;
   for (const ColorMap& map : points.Maps)
   {
@@ -438,8 +472,9 @@ try
   {
     const double number = numbers->GetTuple1(i);
     const bool isMapped = number >= 1.0 && number <= double(scalars.size());
-    vtkDataArray* own = isMapped ? scalars[std::size_t(number) - 1] : nullptr;
-    if (number != 0.0 && !own)
+    const std::size_t map = isMapped ? static_cast<std::size_t>(number) - 1 : 0;
+    vtkDataArray* own = isMapped ? scalars[map] : nullptr;
+    if (number != 0.0 && !(isMapped && (own || points.Maps[map].IsOneColor)))
     {
       return {};
     }

@@ -9,6 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfSurfaceArray.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -28,6 +30,9 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
+/// What ColorMap::Component says of magnitudes.
+constexpr const char* MagnitudeName = "Magnitude";
+
 /// A lookup table as a row of colours. Scalars are interpolated before they are mapped, like VTK's
 /// with vtkMapper::InterpolateScalarsBeforeMapping.
 struct VTKCSLF_EXPORT ColorMap
@@ -40,6 +45,10 @@ struct VTKCSLF_EXPORT ColorMap
   bool IsLogarithmic = false;
   std::vector<Pixel> Colors; ///< below the range, in equal steps within it, and above it
   Pixel NanColor{};          ///< of scalars that are not numbers
+
+  /// Whether it has no scalars, but stands for the one colour of a surface: so light is apart from
+  /// that, too.
+  bool IsOneColor = false;
 
   int GetSteps() const { return static_cast<int>(this->Colors.size()) - 2; }
   bool IsOpaque() const;
@@ -65,6 +74,12 @@ struct VTKCSLF_EXPORT ColorMap
   /// The colour at a place, between colours the nearest, linear.
   glm::vec3 GetColor(const glm::dvec2& place) const;
 };
+
+/// The map that stands for one colour, sRGB-encoded.
+ColorMap VTKCSLF_EXPORT MakeOneColor(const ColorMap::Pixel& color);
+
+/// The name of an array of scalars in a geometry, which has arrays of its own.
+std::string VTKCSLF_EXPORT NameScalars(const std::string& array);
 
 /// The map of a lookup table, without names. It has no colours if the table is one of categories or
 /// has no range.
@@ -100,6 +115,9 @@ struct MappedPoints
   std::vector<ColorMap> Maps;
   std::vector<std::uint8_t> Numbers; ///< of each point: 0 without a map, or 1 for the first
   std::vector<double> Scalars;       ///< of each point
+
+  /// Other arrays, of all points.
+  std::vector<SurfaceArray> Arrays;
 
   /// Of each point, on the front and on the back, the light that a white surface would reflect to
   /// everywhere, times exposure, sRGB-encoded, and above 1 by the same formula. Values between

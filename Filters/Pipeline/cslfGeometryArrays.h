@@ -59,6 +59,14 @@ constexpr const char* ColorMapsName = "CSLF:ColorMaps";
 constexpr const char* ColorMapColorsName = "CSLF:ColorMapColors";
 ///@}
 
+/// Field data: the names of the arrays of point data that surfaces have beside the scalars that
+/// gave them their colours. See cslfSurfaceArray.h.
+constexpr const char* SurfaceArraysName = "CSLF:Arrays";
+
+/// Field data: those of them whose values were integers, though there may be others between points
+/// of different ones.
+constexpr const char* IntegerArraysName = "CSLF:IntegerArrays";
+
 /// Point data of a block of a scene: the scalars that its map, in the field data above, gave their
 /// colours.
 constexpr const char* MapScalarName = "CSLF:MapScalar";

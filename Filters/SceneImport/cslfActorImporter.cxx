@@ -302,6 +302,7 @@ private:
       this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
+    this->CopyKeptArrays(surface, block);
     TransformTCoords(this->Actor, block);
     // The data's own material takes precedence over the property.
     this->Scene.Materials.FindUnused(leaf);
@@ -310,6 +311,21 @@ private:
     this->Appearance.HasTable = mapped.Table != nullptr;
     SetColors(block, mapped);
     this->AddRepresentation(block);
+  }
+
+  /// Keeps arrays that the mapper does not show. None takes the place of what there is.
+  void CopyKeptArrays(vtkPolyData* from, vtkPolyData* block) const
+  {
+    vtkPointData* data = from->GetPointData();
+    for (int i = 0; i < data->GetNumberOfArrays() && this->Scene.KeepsArray; ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      const char* name = array ? array->GetName() : nullptr;
+      if (name && !block->GetPointData()->HasArray(name) && this->Scene.KeepsArray(name))
+      {
+        block->GetPointData()->AddArray(array);
+      }
+    }
   }
 
   void AddRepresentation(vtkPolyData* block)

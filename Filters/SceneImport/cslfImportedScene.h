@@ -13,6 +13,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -118,6 +119,7 @@ struct ImportedScene
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
   bool HasExactColors = false;         ///< whether blocks get their own colours, without lights
+  std::function<bool(const char* array)> KeepsArray; ///< whether blocks keep it; may be empty
   bool HasEnvironment = false;         ///< whether an image lights it
   MetLimits Limits;                    ///< parts that a renderer shows differently
   std::set<std::string> Omitted;       ///< other parts that cannot be represented, in words

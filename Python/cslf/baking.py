@@ -20,6 +20,7 @@ from .scenes import VIDEOS, connect, missing_file
 
 QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
 COLORS = ("lit", "exact")  # likewise
+ALL_ARRAYS = "all"  # instead of names
 USER_ERROR = 40000  # of vtkErrorCode, which VTK does not wrap
 
 
@@ -131,6 +132,18 @@ def make_look(color_by, color_map, color_range, light, up):
     return look
 
 
+def select_arrays(sampler, arrays):
+    """Lets the geometry of a sampler keep arrays: names, or the word for all."""
+    selection = sampler.GetSurfaceArraySelection()
+    if arrays == ALL_ARRAYS:
+        selection.SetUnknownArraySetting(1)
+        return
+    check_kind(arrays, (list, tuple, set, type(None)), "arrays", f"a list of names or {ALL_ARRAYS!r}")
+    for name in arrays or ():
+        check_kind(name, str, "arrays", "a list of names of arrays")
+        selection.EnableArray(name)
+
+
 def write(sampler, name, crf, progress):
     """Writes what a sampler makes to a video."""
     if not hasattr(vtkCSLF, "vtkCSLFEncoder"):
@@ -154,7 +167,7 @@ def write(sampler, name, crf, progress):
 
 def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
          samples=None, noise_target=None, crf=None, sampler=None, progress=None, color_by=None,
-         color_map=None, color_range=None, light=None, up=None):
+         color_map=None, color_range=None, light=None, up=None, arrays=None):
     """Bakes a scene as a light field and returns it as a ``LightField``.
 
     ``scene`` is a ``vtkRenderer``, a ``vtkRenderWindow``, a plotter of PyVista, a data set of VTK,
@@ -184,6 +197,9 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     ``"z"``, ``"-x"``, ``"-y"`` or ``"-z"``. The environment of a ``sampler`` is kept unless
     ``light`` or ``up`` is given.
 
+    ``arrays`` are names of arrays of points, or ``"all"``, that the field's surfaces keep besides
+    the one that colours them, so that ``cslf.show`` can colour by them later.
+
     ``progress`` is whether to draw a progress bar, by default in terminals and notebooks, or a
     function that gets the phase and the share that is done, from 0 to 1. Ctrl-C raises
     ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
@@ -205,6 +221,7 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
         check_kind(progress, (bool, type(None)), "progress", "True, False or a function")
     quality = None if quality is None else find_name(quality, QUALITIES, "quality")
     colors = None if colors is None else find_name(colors, COLORS, "colors")
+    select_arrays(sampler, arrays)
     set_parameters(sampler, {"Quality": quality, "Colors": colors, "Viewpoints": viewpoints,
                              "Resolution": resolution, "Samples": samples,
                              "NoiseTarget": noise_target})

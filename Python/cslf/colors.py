@@ -19,13 +19,15 @@ DOTS_PER_INCH = 72  # of text in render windows
 
 
 class Scalars:
-    """An array of a field's geometry, with the colour map with which it was sampled."""
+    """An array of a field's geometry, with the colour map with which it was sampled, if it had
+    one."""
 
-    def __init__(self, text):
-        """``text`` is JSON from the geometry's field data."""
+    def __init__(self, text, *, is_other=False):
+        """``text`` is JSON as in the geometry's field data. Others gave the field no colours."""
         description = json.loads(text)
         self.array = description["array"]
         self.component = description.get("component", "")  # empty if there is only one
+        self.is_other = is_other
         self.range = tuple(description["range"])
         self.is_logarithmic = description.get("logarithmic", False)
 
@@ -40,7 +42,7 @@ class Scalars:
         """The name by which a mapper selects the array that is meant, or None."""
         array = self.array or UNNAMED
         if text == array:
-            return array
+            return f"{array} {self.component}" if self.is_other and self.component else array
         name, _, component = text.rpartition(":")
         number = {"x": "0", "y": "1", "z": "2"}.get(component, component)
         is_meant = text == self.label or (name, number) == (array, self.component)
@@ -50,8 +52,30 @@ class Scalars:
 def list_scalars(mapper):
     """The scalars of the geometry that a mapper has read."""
     geometry = mapper.GetGeometry()
-    texts = geometry and geometry.GetFieldData().GetAbstractArray("CSLF:ColorMaps")
-    return [Scalars(texts.GetValue(i)) for i in range(texts.GetNumberOfValues())] if texts else []
+    if geometry is None:
+        return []
+    maps = list_texts(geometry, "CSLF:ColorMaps")
+    known = [Scalars(text) for text in maps if "array" in json.loads(text)]
+    for name in list_texts(geometry, "CSLF:Arrays") if maps else []:
+        array = geometry.GetPointData().GetArray(name)
+        known += describe_array(array) if array else []
+    return known
+
+
+def list_texts(geometry, name):
+    """The texts of an array of field data, none without it."""
+    texts = geometry.GetFieldData().GetAbstractArray(name)
+    return [texts.GetValue(i) for i in range(texts.GetNumberOfValues())] if texts else []
+
+
+def describe_array(array):
+    """The magnitude and the components of an array that gave a field no colours."""
+    count = array.GetNumberOfComponents()
+    names = [array.GetComponentName(i) or str(i) for i in range(count)]
+    parts = [(-1, "Magnitude"), *enumerate(names)] if count > 1 else [(0, "")]
+    return [Scalars(json.dumps({"array": array.GetName(), "component": component,
+                                "range": array.GetFiniteRange(number)}), is_other=True)
+            for number, component in parts]
 
 
 def require_scalars(mapper, parameter):

@@ -51,6 +51,10 @@ void Sort(Streams& streams)
     {
       stream->clear();
     }
+    for (ArrayCodes& array : streams.Arrays)
+    {
+      array.Points.clear();
+    }
     return;
   }
   std::vector<unsigned int> sorted(streams.Corners.size());
@@ -74,6 +78,10 @@ void Sort(Streams& streams)
   move(streams.BackColors, streams.GetColorSize());
   move(streams.Flags, FlagsSize);
   move(streams.Maps.Points, MapCodes::PointSize);
+  for (ArrayCodes& array : streams.Arrays)
+  {
+    move(array.Points, array.GetPointSize());
+  }
   streams.Points = used;
 }
 
@@ -133,8 +141,17 @@ std::vector<unsigned char> Compress(const std::vector<unsigned char>& bytes)
   return compressed;
 }
 
-/// The coded streams of a part, besides bodies and the colours of maps.
+/// The coded streams of a part, besides arrays, bodies and the colours of maps.
 constexpr std::size_t Parts = 7;
+
+///@{
+/// The bytes of the streams of an array: of the points that are not those of bodies, and of these.
+constexpr const char* ArrayBytesKey = "bytes";
+constexpr const char* BodyBytesKey = "body_bytes";
+///@}
+
+/// More arrays are refused, so that a file cannot ask for much memory.
+constexpr std::size_t MaximumArrays = 1024;
 
 /// The bytes of the part.
 std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
@@ -179,6 +196,20 @@ std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
   for (const std::vector<unsigned char>& part : parts)
   {
     all.insert(all.end(), part.begin(), part.end());
+  }
+  for (std::size_t i = 0; i < streams.Arrays.size(); ++i)
+  {
+    const std::size_t size = streams.Arrays[i].GetPointSize();
+    const std::vector<unsigned char>& ofBodies = streams.BodyArrays[i];
+    const std::vector<unsigned char> coded[2] = {
+      CodeVertices(streams.Arrays[i].Points, streams.Points, size),
+      CodeVertices(ofBodies, ofBodies.size() / size, size) };
+    header[ArraysKey][i][ArrayBytesKey] = coded[0].size();
+    header[ArraysKey][i][BodyBytesKey] = coded[1].size();
+    for (const std::vector<unsigned char>& part : coded)
+    {
+      all.insert(all.end(), part.begin(), part.end());
+    }
   }
   const std::vector<unsigned char> bodies = streams.Bodies.Pack();
   all.insert(all.end(), bodies.begin(), bodies.end());
@@ -232,7 +263,14 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     GetCount(header, "position_bytes"), GetCount(header, "color_bytes"),
     getSize("back_color_bytes"), getSize("exact_bytes"), getSize("place_bytes"),
     getSize("body_place_bytes") };
-  const std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
+  const JSON noArrays = JSON::array();
+  const JSON& arrays = header.contains(ArraysKey) ? header.at(ArraysKey) : noArrays;
+  RequireSound(arrays.is_array() && arrays.size() <= MaximumArrays);
+  std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
+  for (const JSON& array : arrays)
+  {
+    size += GetCount(array, ArrayBytesKey) + GetCount(array, BodyBytesKey);
+  }
   const std::size_t rest = bytes.size() - head - textSize;
   // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 64
   // equal bytes of points take at least one.
@@ -257,7 +295,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   {
     streams.Maps = MapCodes::Read(header);
   }
-  RequireSound(areMapped || sizes[5] + sizes[6] == 0);
+  RequireSound(areMapped || (sizes[5] + sizes[6] == 0 && arrays.empty()));
   const std::size_t mapSize = streams.Maps.GetColorSize();
   RequireSound((points > 0) == (triangles > 0) && (points > 0 || !streams.Bodies.IsEmpty()));
   RequireSound(size + bodySize + mapSize <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
@@ -345,6 +383,15 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     {
       decodePoints(streams.Maps.Points, MapCodes::PointSize, sizes[5]);
       decodeSome(streams.BodyPlaces, streams.Bodies.CountPoints(), MapCodes::PointSize, sizes[6]);
+      for (const JSON& array : arrays)
+      {
+        ArrayCodes codesOfArray = ArrayCodes::Read(array);
+        const std::size_t pointSize = codesOfArray.GetPointSize();
+        decodePoints(codesOfArray.Points, pointSize, GetCount(array, ArrayBytesKey));
+        decodeSome(streams.BodyArrays.emplace_back(), streams.Bodies.CountPoints(), pointSize,
+          GetCount(array, BodyBytesKey));
+        streams.Arrays.push_back(std::move(codesOfArray));
+      }
     }
     const bool hasBack = sizes[3] > 0 || streams.Bodies.HasBackColors();
     RequireSound(points == 0 || streams.Bodies.IsEmpty() ||

@@ -143,6 +143,10 @@ void AddColors(vtkPolyData* triangles, GeometryStreams& streams)
   if (!mapped.IsEmpty() && streams.HasFlags && !streams.AreHalves)
   {
     streams.Maps = MapCodes(mapped);
+    for (const SurfaceArray& array : mapped.Arrays)
+    {
+      streams.Arrays.emplace_back(array);
+    }
     streams.Maps.PutLight(mapped, 0, streams.Colors);
     if (!streams.BackColors.empty())
     {
@@ -198,7 +202,14 @@ void AddMaps(const GeometryStreams& streams, vtkPolyData* geometry)
   }
   MapCodes codes = streams.Maps;
   codes.Points.insert(codes.Points.end(), streams.BodyPlaces.begin(), streams.BodyPlaces.end());
-  const MappedPoints mapped = codes.GetPoints(streams.Colors, streams.BackColors);
+  MappedPoints mapped = codes.GetPoints(streams.Colors, streams.BackColors);
+  for (std::size_t i = 0; i < streams.Arrays.size(); ++i)
+  {
+    ArrayCodes array = streams.Arrays[i];
+    array.Points.insert(
+      array.Points.end(), streams.BodyArrays[i].begin(), streams.BodyArrays[i].end());
+    mapped.Arrays.push_back(array.GetArray());
+  }
   AddMappedPoints(mapped, geometry);
   const PointColorArrays arrays = FindPointColors(geometry);
   for (std::size_t i = 0; i < mapped.Numbers.size(); ++i)
@@ -225,6 +236,7 @@ GeometryStreams GeometryStreams::Make(vtkPolyData* triangles, const Cube& box, i
   streams.PositionBits = FindPositionBits(resolution);
   AddPositions(triangles, box, streams);
   AddColors(triangles, streams);
+  streams.BodyArrays.resize(streams.Arrays.size());
   return streams;
 }
 
@@ -239,13 +251,21 @@ void GeometryStreams::TakeBodies(vtkPolyData* geometry, vtkPolyData* triangles, 
     BodyGroups::Take(geometry, triangles, box, this->PositionBits, this->GetColorSteps(), codes);
   this->Points -= this->Bodies.CountPoints();
   this->Positions.resize(PositionSize * this->Points);
+  const auto divide = [this](std::vector<unsigned char>& points, std::size_t size)
+  {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(size * this->Points);
+    std::vector<unsigned char> ofBodies(first, points.end());
+    points.erase(first, points.end());
+    return ofBodies;
+  };
   if (!this->Maps.IsEmpty())
   {
-    std::vector<unsigned char>& places = this->Maps.Points;
-    const auto first =
-      places.begin() + static_cast<std::ptrdiff_t>(MapCodes::PointSize * this->Points);
-    this->BodyPlaces.assign(first, places.end());
-    places.erase(first, places.end());
+    this->BodyPlaces = divide(this->Maps.Points, MapCodes::PointSize);
+  }
+  this->BodyArrays.clear();
+  for (ArrayCodes& array : this->Arrays)
+  {
+    this->BodyArrays.push_back(divide(array.Points, array.GetPointSize()));
   }
   this->Corners.resize(this->Corners.size() - 3 * this->Bodies.CountTriangles());
   for (std::vector<unsigned char>* stream : { &codes.Colors, &codes.BackColors, &codes.Flags })
@@ -273,6 +293,10 @@ JSON GeometryStreams::Describe(vtkPolyData* geometry) const
   if (!this->Maps.IsEmpty())
   {
     this->Maps.Describe(header);
+    for (const ArrayCodes& array : this->Arrays)
+    {
+      header[ArraysKey].push_back(array.Describe());
+    }
   }
   if (!this->Bodies.IsEmpty())
   {

@@ -7,6 +7,7 @@
 #ifndef cslfGeometryStreams_h
 #define cslfGeometryStreams_h
 
+#include "cslfArrayCodes.h"
 #include "cslfBodyGroups.h"
 #include "cslfCube.h"
 #include "cslfJSONForward.h"
@@ -52,6 +53,9 @@ constexpr const char* HalfColors = "linear16f";
 constexpr const char* MappedColors = "light8"; ///< as srgb8, but those of mapped points are light
 ///@}
 
+/// What the header calls the arrays.
+constexpr const char* ArraysKey = "arrays";
+
 /// The streams of a geometry before and after they are compressed.
 struct GeometryStreams
 {
@@ -69,6 +73,8 @@ struct GeometryStreams
   BodyGroups Bodies;                     ///< their points and triangles come after the others
   MapCodes Maps;                         ///< with the points that are not those of bodies
   std::vector<unsigned char> BodyPlaces; ///< the others, as in MapCodes
+  std::vector<ArrayCodes> Arrays;        ///< likewise; none without maps
+  std::vector<std::vector<unsigned char>> BodyArrays;
 
   /// The streams of triangles, in files of fields with that resolution.
   static GeometryStreams Make(vtkPolyData* triangles, const Cube& box, int resolution);

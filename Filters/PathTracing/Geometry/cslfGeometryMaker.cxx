@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <vtkAdaptiveSubdivisionFilter.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
@@ -343,6 +344,33 @@ Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& s
   return best;
 }
 
+/// Appends the values of other points, of which there may be none. Both have the arrays of the
+/// scene.
+void JoinArrays(const std::vector<SurfaceArray>& others, std::size_t first, std::size_t all,
+  std::vector<SurfaceArray>& arrays)
+{
+  const bool areNew = arrays.empty();
+  if (areNew)
+  {
+    arrays = others;
+  }
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    for (std::size_t c = 0; c < arrays[i].Components.size(); ++c)
+    {
+      std::vector<double>& values = arrays[i].Components[c].Values;
+      values.resize(areNew ? 0 : first);
+      values.resize(first, vtkMath::Nan());
+      if (!others.empty())
+      {
+        const std::vector<double>& more = others[i].Components[c].Values;
+        values.insert(values.end(), more.begin(), more.end());
+      }
+      values.resize(all, vtkMath::Nan());
+    }
+  }
+}
+
 /// The bodies of groups, within bounds, with the colours of their points.
 void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups, const glm::vec3& low,
   const glm::vec3& high, SurfaceLightSettings settings, const StoredLight* light,
@@ -378,6 +406,7 @@ void AddGroups(const Scene& scene, const std::vector<InstanceGroup>& groups, con
     mapped.Maps = mapped.IsEmpty() ? colors.Mapped.Maps : mapped.Maps;
     join(mapped.Numbers, colors.Mapped.Numbers);
     join(mapped.Scalars, colors.Mapped.Scalars);
+    JoinArrays(colors.Mapped.Arrays, first, all, mapped.Arrays);
   }
   for (const int side : { 0, 1 })
   {

@@ -8,6 +8,7 @@
 #include "Quality/cslfTexelChoice.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
+#include "cslfSceneArrays.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -51,6 +52,10 @@ constexpr double PlaceTolerance = 1.0 / 256.0;
 /// The largest error of places on maps, as a share of the range.
 constexpr double MaximumPlaceError = 0.005;
 
+/// The RMS error of values of arrays in a triangle that is small enough, as a share of the range:
+/// about a third of what 1 of 100 places may have.
+constexpr double ArrayTolerance = 0.0015;
+
 /// More maps tell no colours: files number them by a byte.
 constexpr std::size_t MaximumMaps = 254;
 
@@ -60,6 +65,9 @@ constexpr float MaximumShift = 0.25f;
 /// How often triangles are divided, and the shortest edge that is divided, in texels.
 constexpr int MaximumRounds = 12;
 constexpr float ShortestTexels = 2.0f;
+
+/// The same for values of arrays, which are known in any detail.
+constexpr float ShortestArrayTexels = 0.5f;
 
 /// Whether a surface is shown without light.
 bool OnlyEmits(const Mesh& mesh)
@@ -221,11 +229,12 @@ class LightSampler
 {
 public:
   LightSampler(const Scene& scene, const StoredLight* light, const SurfaceLightSettings& settings,
-    const SceneMaps& maps)
+    const SceneMaps& maps, const SceneArrays& arrays)
     : World(scene)
     , Stored(light)
     , Settings(settings)
     , Maps(maps)
+    , Arrays(arrays)
   {
   }
 
@@ -248,6 +257,7 @@ private:
   const StoredLight* Stored;
   const SurfaceLightSettings& Settings;
   const SceneMaps& Maps;
+  const SceneArrays& Arrays;
 };
 
 // The radiance, and what it is under white light. False if it is not known.
@@ -357,6 +367,7 @@ TriangleSamples LightSampler::Sample(
   const SurfaceMesh& mesh, const glm::uvec3& corners, const std::uint32_t* source) const
 {
   TriangleSamples samples;
+  samples.Arrays.resize(this->Arrays.GetNumberOfTriples());
   const glm::vec3& a = mesh.Points[corners.x];
   const glm::vec3& b = mesh.Points[corners.y];
   const glm::vec3& c = mesh.Points[corners.z];
@@ -402,6 +413,7 @@ TriangleSamples LightSampler::Sample(
   SampleSums details[2];
   double brightness[2] = {};
   float baseSquare = 0.0f;
+  std::vector<glm::vec3> values(samples.Arrays.size(), glm::vec3(0.0f));
   for (int i = 0; i < count; ++i)
   {
     for (const int side : { 0, 1 })
@@ -419,6 +431,11 @@ TriangleSamples LightSampler::Sample(
         const float area = weight * samples.Area / static_cast<float>(count);
         samples.Sides[side].Add(places[i], point.Color, area);
         samples.Places.Add(places[i], point.Place, area);
+        this->Arrays.Get(aim.Target.Mesh, aim.Target.GetPlace(), values);
+        for (std::size_t k = 0; k < values.size(); ++k)
+        {
+          samples.Arrays[k].Add(places[i], values[k], area);
+        }
         samples.MaximumLight =
           std::max({ samples.MaximumLight, point.Color.x, point.Color.y, point.Color.z });
         details[side].Add(places[i], samples.Map > 0 ? glm::vec3(0.0f) : point.Detail, area);
@@ -453,17 +470,20 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
     return {};
   }
   SceneMaps maps;
+  SceneArrays arrays;
   if (settings.ClampsColors)
   {
     maps = FindMaps(scene);
+    arrays = SceneArrays(scene, maps.Numbers);
   }
-  const LightSampler sampler(scene, light, settings, maps);
+  const LightSampler sampler(scene, light, settings, maps, arrays);
   const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)
   { return ProjectOnto(scene, point, normal, MaximumShift * settings.Texel, body); };
   ColorFit fit(mesh,
-    { ShortestTexels * settings.Texel, settings.ClampsColors, settings.HasCreases,
-      settings.KeepsMesh, settings.Tolerance, std::min(settings.Tolerance, DetailTolerance),
-      settings.MaximumTriangles, project });
+    { ShortestTexels * settings.Texel, ShortestArrayTexels * settings.Texel, settings.ClampsColors,
+      settings.HasCreases, settings.KeepsMesh, settings.Tolerance,
+      std::min(settings.Tolerance, DetailTolerance), ArrayTolerance, settings.MaximumTriangles,
+      project });
   const auto sample = [&](const Progress& part)
   {
     const std::vector<std::size_t> triangles = fit.ListNew();
@@ -488,15 +508,19 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
     done = 0.5 * (1.0 + done);
     sample(Within(progress, done, 0.5 * (1.0 + done)));
   }
-  std::vector<glm::vec2> places;
-  SideColors colors = fit.Finish(places);
-  if (!places.empty())
+  FittedValues values;
+  SideColors colors = fit.Finish(values);
+  if (!values.Places.empty())
   {
     colors.Mapped.Maps = std::move(maps.Maps);
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t i = 0; i < values.Places.size(); ++i)
     {
       colors.Mapped.Scalars.push_back(
-        colors.Mapped.Has(i) ? colors.Mapped.GetMap(i).GetValue(places[i]) : 0.0);
+        colors.Mapped.Has(i) ? colors.Mapped.GetMap(i).GetValue(values.Places[i]) : 0.0);
+    }
+    if (!values.Arrays.empty())
+    {
+      colors.Mapped.Arrays = arrays.MakeArrays(values.Arrays);
     }
   }
   return colors;

@@ -123,6 +123,20 @@ void Fingerprint::Add(const Mesh& mesh)
     static_cast<int>(mesh.EmissionsOf) });
 }
 
+void Fingerprint::Add(const std::vector<SurfaceArray>& arrays)
+{
+  for (const SurfaceArray& array : arrays)
+  {
+    this->Add(std::vector<char>(array.Name.begin(), array.Name.end()));
+    this->Add(std::vector<int>{ array.IsInteger ? 1 : 0 });
+    for (const SurfaceArray::Component& component : array.Components)
+    {
+      this->Add(std::vector<char>(component.Name.begin(), component.Name.end()));
+      this->Add(component.Values);
+    }
+  }
+}
+
 void Fingerprint::Add(const LightSet& lights)
 {
   this->Add(lights.Directional);

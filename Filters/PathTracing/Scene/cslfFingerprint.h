@@ -7,6 +7,8 @@
 #ifndef cslfFingerprint_h
 #define cslfFingerprint_h
 
+#include "Pipeline/cslfSurfaceArray.h"
+
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
@@ -54,6 +56,7 @@ public:
   void Add(vtkFieldData* fields, ArrayHashes& hashes);
 
   void Add(const Mesh& mesh);
+  void Add(const std::vector<SurfaceArray>& arrays);
   void Add(const LightSet& lights);
 
   /// Numbers, after how many there are.

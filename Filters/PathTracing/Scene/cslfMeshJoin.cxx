@@ -32,7 +32,16 @@ Kind GetKind(const Mesh& mesh)
     fingerprint.Add(mesh.Instances);
     places = fingerprint.Finish();
   }
-  return { mesh.Appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf,
+  std::string appearance = mesh.Appearance;
+  for (const SurfaceArray& array : mesh.Arrays)
+  {
+    appearance += "\n" + array.Name;
+    for (const SurfaceArray::Component& component : array.Components)
+    {
+      appearance += "\t" + component.Name;
+    }
+  }
+  return { appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf,
     mesh.TexCoords.empty(), mesh.HasInstanceColors, mesh.HasInstanceEmissions, mesh.Map == nullptr,
     mesh.MapPlaces.empty() };
 }
@@ -69,10 +78,35 @@ void Append(Mesh& whole, const Mesh& piece)
   Append(whole.Radii, piece.Radii);
   Append(whole.TexCoords, piece.TexCoords);
   Append(whole.MapPlaces, piece.MapPlaces);
+  for (std::size_t i = 0; i < whole.Arrays.size(); ++i)
+  {
+    for (std::size_t c = 0; c < whole.Arrays[i].Components.size(); ++c)
+    {
+      Append(whole.Arrays[i].Components[c].Values, piece.Arrays[i].Components[c].Values);
+    }
+    whole.Arrays[i].IsInteger = whole.Arrays[i].IsInteger && piece.Arrays[i].IsInteger;
+  }
   for (const glm::uvec3& triangle : piece.Triangles)
   {
     whole.Triangles.push_back(static_cast<std::uint32_t>(first) + triangle);
   }
+}
+
+/// The values of a mesh's vertices in all arrays, of each as many bits. None without arrays.
+std::vector<std::vector<std::uint64_t>> ListBits(const Mesh& mesh)
+{
+  std::vector<std::vector<std::uint64_t>> bits(mesh.Arrays.empty() ? 0 : mesh.Vertices.size());
+  for (const SurfaceArray& array : mesh.Arrays)
+  {
+    for (const SurfaceArray::Component& component : array.Components)
+    {
+      for (std::size_t i = 0; i < bits.size(); ++i)
+      {
+        std::memcpy(&bits[i].emplace_back(), &component.Values[i], sizeof(double));
+      }
+    }
+  }
+  return bits;
 }
 
 /// Compares values as words, which gives an order regardless of their meaning. Only identical bits
@@ -178,7 +212,8 @@ private:
   /// Finds the distinct vertices, in order, and the place of each vertex among them.
   void RankVertices()
   {
-    std::vector<Words<19>> vertices(this->Sorted.Vertices.size());
+    std::vector<Words<20>> vertices(this->Sorted.Vertices.size());
+    const std::vector<std::uint32_t> arrays = this->RankArrays();
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       vertices[i].Add(this->Sorted.Vertices[i]);
@@ -187,6 +222,7 @@ private:
       vertices[i].AddFrom(this->Sorted.Normals, i);
       vertices[i].AddFrom(this->Sorted.TexCoords, i);
       vertices[i].AddFrom(this->Sorted.MapPlaces, i);
+      vertices[i].AddFrom(arrays, i);
       if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
       {
         vertices[i].AddFrom(this->Sorted.Colors, i);
@@ -206,6 +242,20 @@ private:
       }
       this->Ranks[index] = static_cast<std::uint32_t>(this->Distinct.size() - 1);
     }
+  }
+
+  /// Of each vertex, the rank of its values in arrays. None without arrays.
+  std::vector<std::uint32_t> RankArrays() const
+  {
+    const std::vector<std::vector<std::uint64_t>> bits = ListBits(this->Sorted);
+    std::vector<std::uint32_t> ranks(bits.size(), 0);
+    const Indices order = FindOrder(bits);
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+      const bool isSame = bits[order[i]] == bits[order[i - 1]];
+      ranks[order[i]] = ranks[order[i - 1]] + (isSame ? 0 : 1);
+    }
+    return ranks;
   }
 
   Indices OrderShapes() const
@@ -264,6 +314,13 @@ private:
     Take(this->Sorted.Normals, indices);
     Take(this->Sorted.TexCoords, indices);
     Take(this->Sorted.MapPlaces, indices);
+    for (SurfaceArray& array : this->Sorted.Arrays)
+    {
+      for (SurfaceArray::Component& component : array.Components)
+      {
+        Take(component.Values, indices);
+      }
+    }
     if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
     {
       Take(this->Sorted.Colors, indices);

@@ -217,6 +217,7 @@ public:
     this->AddEmissions();
     this->AddInstances();
     this->AddMapPlaces();
+    this->AddArrays();
     if (this->Result.Shape == Mesh::Shapes::Tubes)
     {
       DivideLongTubes(this->Result);
@@ -234,6 +235,7 @@ public:
       this->Result.Map = this->Table.Map;
       this->Result.Appearance += this->Table.Name;
     }
+    this->ShowOneColor();
     DropCovered(this->Result);
     return std::move(this->Result);
   }
@@ -474,6 +476,27 @@ private:
         this->Result.Map = nullptr;
         this->Result.MapPlaces.clear();
       }
+    }
+  }
+
+  void AddArrays()
+  {
+    for (vtkDataArray* array : this->Source.Arrays)
+    {
+      this->Result.Arrays.push_back(
+        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Points));
+    }
+  }
+
+  /// Arrays need light apart from colours.
+  void ShowOneColor()
+  {
+    const glm::dvec3 color = LinearToSRGB(glm::dvec3(this->Result.Material.BaseColor));
+    if (!this->Result.Arrays.empty() && !this->Result.Map && this->Result.HasOneColor() &&
+      !this->Result.IsBlack())
+    {
+      this->Result.Map = std::make_shared<const ColorMap>(
+        MakeOneColor({ ToByte(color.x), ToByte(color.y), ToByte(color.z), 255 }));
     }
   }
 

@@ -23,6 +23,7 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -44,6 +45,9 @@ namespace cslf
 {
 namespace
 {
+// Arrays of these names are this library's own.
+constexpr const char* OwnArrays = "CSLF:";
+
 // The default radius of lines, in diagonals of the scene's bounding box.
 constexpr double StandardRadius = 0.0005;
 
@@ -360,8 +364,28 @@ private:
     {
       this->Colors.AddToRange(block.Scalars);
     }
+    this->FindArrays(block);
     block.AddTo(this->Lower, this->Upper, 0.0);
     this->Blocks.push_back(std::move(block));
+  }
+
+  /// Finds what the geometry keeps of the arrays that are not there for drawing.
+  void FindArrays(SceneBlock& block)
+  {
+    vtkPointData* data = block.Data->GetPointData();
+    for (int i = 0; i < data->GetNumberOfArrays() && this->Options.KeepsArray; ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      const std::string name = array && array->GetName() ? array->GetName() : "";
+      const bool isForDrawing = array == data->GetNormals() || array == data->GetTCoords() ||
+        array == data->GetTangents() || name.rfind(OwnArrays, 0) == 0 ||
+        name == vtkDataSetAttributes::GhostArrayName();
+      if (!name.empty() && !isForDrawing &&
+        array->GetNumberOfComponents() <= MaximumArrayComponents && this->Options.KeepsArray(name))
+      {
+        block.Arrays.push_back(array);
+      }
+    }
   }
 
   /// Gives a radius to points without one of their own. Blocks are clouds by themselves. A cloud
@@ -545,6 +569,12 @@ private:
       meshes.erase(std::remove_if(meshes.begin(), meshes.end(), IsInvisible), meshes.end());
     }
     built.Fingerprint = this->Identify(meshes, lights, built.Frame);
+    Fingerprint arrays;
+    for (const Mesh& mesh : meshes)
+    {
+      arrays.Add(mesh.Arrays);
+    }
+    built.ArraysFingerprint = arrays.Finish();
     built.World =
       std::make_unique<Scene>(std::move(meshes), std::move(lights), this->Options.Building);
     built.Error = built.World->GetError();

@@ -28,6 +28,9 @@ struct SceneOptions
   /// Finds the array that colours a block's surface, or null, and whether it belongs to the cells.
   std::function<vtkDataArray*(vtkPolyData*, bool& ofCells)> FindScalars;
 
+  /// Whether geometries keep arrays of that name. May be empty: then they keep none.
+  std::function<bool(const std::string& array)> KeepsArray;
+
   /// Maps arrays that contain no colours. Null for the array's own table, or a default one.
   vtkScalarsToColors* LookupTable = nullptr;
 
@@ -59,6 +62,7 @@ struct BuiltScene
   bool IsAborted = false;                              ///< whether a progress has ended the work
   std::string Error;                                   ///< the reason, in one line
   std::string Warning;                                 ///< the omitted parts, in one line, or empty
+  std::string ArraysFingerprint; ///< identifies the arrays that a geometry keeps
   std::string Fingerprint; ///< identifies the scene: a hash of everything visible
 };
 

@@ -85,6 +85,10 @@ const ColorMap* Mesh::FindMap() const
 
 glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
 {
+  if (this->Map->IsOneColor)
+  {
+    return this->Map->GetPlace(0.0);
+  }
   if (this->HasInstanceColors)
   {
     return this->Instances[point.Instance].MapPlace;
@@ -99,7 +103,7 @@ glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
 
 glm::vec3 Mesh::GetMapFactor() const
 {
-  return this->Coloring == ColorsOf::None && !this->HasInstanceColors ? this->Material.BaseColor
+  return this->Coloring == ColorsOf::None && !this->HasInstanceColors && !this->Map->IsOneColor ? this->Material.BaseColor
                                                                       : glm::vec3(1.0f);
 }
 

@@ -11,6 +11,7 @@
 
 #include "PathTracing/Materials/cslfSurfaceMaterial.h"
 #include "PathTracing/Materials/cslfTexture.h"
+#include "Pipeline/cslfSurfaceArray.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -94,9 +95,10 @@ struct VTKCSLF_EXPORT Mesh
   SurfaceMaterial Material;
   MaterialTextures Textures;
   /// The map of the texture of base colours; or of the colours of vertices or instances, whose
-  /// places on it follow; or null.
+  /// places on it follow; or that of one colour; or null.
   std::shared_ptr<const ColorMap> Map;
   std::vector<glm::vec2> MapPlaces;
+  std::vector<SurfaceArray> Arrays; ///< of the vertices, which a geometry keeps
   std::string Appearance; ///< identifies the material, the textures and the map
 
   /// The instances of the mesh, if it has any. Its vertices may then be in another space than the

@@ -65,6 +65,13 @@ public:
     this->Interpolate(mesh.Normals);
     this->Interpolate(mesh.TexCoords);
     this->Interpolate(mesh.MapPlaces);
+    for (SurfaceArray& array : mesh.Arrays)
+    {
+      for (SurfaceArray::Component& component : array.Components)
+      {
+        this->Interpolate(component.Values);
+      }
+    }
     const bool ofTubes = mesh.Coloring == Mesh::ColorsOf::Triangles;
     ofTubes ? this->Repeat(mesh.Colors) : this->Interpolate(mesh.Colors);
     ofTubes ? this->Repeat(mesh.Opacities) : this->Interpolate(mesh.Opacities);
