@@ -119,6 +119,8 @@ FieldColors::FieldColors(const FieldColorOptions& options, const FieldFile& file
 void FieldColors::Choose(const std::vector<FieldScalars>& scalars)
 {
   const std::string& name = this->Options.Array;
+  this->HasNoMap = std::none_of(
+    scalars.begin(), scalars.end(), [](const FieldScalars& each) { return each.HasMap; });
   const auto found = std::find_if(scalars.begin(), scalars.end(),
     [&](const FieldScalars& each) { return name.empty() || each.IsMeantBy(name); });
   if (found != scalars.end())
@@ -158,7 +160,7 @@ void FieldColors::Apply(vtkCSLFMapper* mapper) const
     std::copy_n(this->Options.Range.begin(), 2, range.begin());
     mapper->SetScalarRange(range.data());
   }
-  if (this->Options.HasMap())
+  if (this->Options.HasMap() || this->HasNoMap)
   {
     vtkNew<vtkLookupTable> table;
     vtkCSLFSceneLook::SetUpLookupTable(this->Options.Map, table);

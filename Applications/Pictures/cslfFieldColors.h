@@ -67,6 +67,7 @@ private:
   FieldScalars Shown; ///< the first of those that are chosen
   std::string Title;
   bool HidesScalars = false;
+  bool HasNoMap = false; ///< whether the field has no colour map of its own
 };
 
 /// Draws the colour map of a mapper at the right side of a picture.

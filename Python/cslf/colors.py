@@ -62,6 +62,12 @@ def list_scalars(mapper):
     return known
 
 
+def has_no_map(mapper):
+    """Whether the geometry has scalars, but no colour map of its own."""
+    known = list_scalars(mapper)
+    return bool(known) and all(scalars.is_other for scalars in known)
+
+
 def list_texts(geometry, name):
     """The texts of an array of field data, none without it."""
     texts = geometry.GetFieldData().GetAbstractArray(name)
@@ -164,8 +170,8 @@ def color_scalars(mapper, scalars=None, cmap=None, clim=None):
         mapper.SetScalarRange(*limits)
     if isinstance(cmap, vtkScalarsToColors):
         mapper.SetLookupTable(cmap)
-    elif cmap is not None:
-        table = make_table(cmap)
+    elif cmap is not None or (has_no_map(mapper) and list_maps()):
+        table = make_table(cmap or list_maps()[0])
         table.SetTableRange(*limits)
         if shown.is_logarithmic:
             table.SetScaleToLog10()
