@@ -339,8 +339,7 @@ void vtkCSLFSampler::WarnOfArrays()
     const auto isScalars = [&name](const cslf::ColorMap& map) { return map.Array == name; };
     const auto isArray = [&name](const cslf::SurfaceArray& array)
     { return array.Name == cslf::NameScalars(name); };
-    const bool isThere =
-      std::any_of(points.Maps.begin(), points.Maps.end(), isScalars) ||
+    const bool isThere = std::any_of(points.Maps.begin(), points.Maps.end(), isScalars) ||
       std::any_of(points.Arrays.begin(), points.Arrays.end(), isArray);
     if (!isThere && this->SurfaceArraySelection->ArrayIsEnabled(name.c_str()))
     {

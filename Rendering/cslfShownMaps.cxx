@@ -109,8 +109,8 @@ ColorMap MakeMapOf(const SurfaceArray& array, int component, const std::vector<C
   std::array<double, 2> range =
     array.GetRange(component).value_or(std::array<double, 2>{ 0.0, 1.0 });
   range[1] = range[1] > range[0] ? range[1] : range[0] + 1.0;
-  const auto colors = std::find_if(
-    maps.begin(), maps.end(), [](const ColorMap& map) { return !map.IsOneColor; });
+  const auto colors =
+    std::find_if(maps.begin(), maps.end(), [](const ColorMap& map) { return !map.IsOneColor; });
   ColorMap map = colors != maps.end() ? *colors : MakeColorMap(vtkNew<vtkLookupTable>());
   map.IsLogarithmic = false;
   std::copy(range.begin(), range.end(), map.Range);
@@ -120,8 +120,7 @@ ColorMap MakeMapOf(const SurfaceArray& array, int component, const std::vector<C
 }
 
 /// A map as it is shown, whether or not a choice selects it.
-ColorMap Apply(
-  const ColorMap& own, const MapChoice& choice, bool isSelected, std::string& problem)
+ColorMap Apply(const ColorMap& own, const MapChoice& choice, bool isSelected, std::string& problem)
 {
   if (choice.Plain)
   {
@@ -247,8 +246,7 @@ bool MapChoice::operator==(const MapChoice& other) const
 {
   return this->Table == other.Table && this->TableTime == other.TableTime &&
     this->UsesTableRange == other.UsesTableRange && this->Range == other.Range &&
-    this->Array == other.Array && this->Component == other.Component &&
-    this->Plain == other.Plain;
+    this->Array == other.Array && this->Component == other.Component && this->Plain == other.Plain;
 }
 
 bool MapChoice::Selects(const ColorMap& map) const
@@ -316,7 +314,8 @@ const ColorMap& MapChooser::FindMap(
 {
   this->SetGeometry(geometry);
   const std::vector<ColorMap>& maps = geometry->Mapped.Maps;
-  const auto find = [&maps](const MapChoice& wanted) {
+  const auto find = [&maps](const MapChoice& wanted)
+  {
     return std::find_if(
       maps.begin(), maps.end(), [&](const ColorMap& map) { return wanted.Selects(map); });
   };
@@ -358,11 +357,10 @@ std::shared_ptr<const ShownMaps> MapChooser::Choose(
   std::vector<ShownArray> arrays(own.size());
   for (std::size_t i = 0; i < own.size(); ++i)
   {
-    const bool isOther =
-      array && array->HasMap[i] != 0 && !choice.Plain && !choice.Selects(own[i]);
+    const bool isOther = array && array->HasMap[i] != 0 && !choice.Plain && !choice.Selects(own[i]);
     arrays[i] = isOther ? array->Array : ShownArray();
-    maps.push_back(Apply(
-      isOther ? array->Map : own[i], choice, isOther || choice.Selects(own[i]), problem));
+    maps.push_back(
+      Apply(isOther ? array->Map : own[i], choice, isOther || choice.Selects(own[i]), problem));
   }
   if (this->Made.size() >= MaximumChoices)
   {

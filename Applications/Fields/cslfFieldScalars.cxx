@@ -143,8 +143,7 @@ std::string ListLabels(const std::vector<FieldScalars>& scalars)
 nlohmann::json Summarize(const FieldScalars& scalars)
 {
   nlohmann::json json = { { "array", scalars.Array }, { "points", scalars.Points },
-    { "range", nullptr }, { "map_range", nullptr },
-    { "logarithmic", scalars.IsLogarithmic } };
+    { "range", nullptr }, { "map_range", nullptr }, { "logarithmic", scalars.IsLogarithmic } };
   if (!scalars.Component.empty())
   {
     json["component"] = scalars.Component;

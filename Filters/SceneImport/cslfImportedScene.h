@@ -120,10 +120,10 @@ struct ImportedScene
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
   bool HasExactColors = false;         ///< whether blocks get their own colours, without lights
   std::function<bool(const char* array)> KeepsArray; ///< whether blocks keep it; may be empty
-  bool HasEnvironment = false;         ///< whether an image lights it
-  MetLimits Limits;                    ///< parts that a renderer shows differently
-  std::set<std::string> Omitted;       ///< other parts that cannot be represented, in words
-  vtkIdType BrokenGlyphs = 0;          ///< with positions or indices of sources that are not finite
+  bool HasEnvironment = false;                       ///< whether an image lights it
+  MetLimits Limits;                                  ///< parts that a renderer shows differently
+  std::set<std::string> Omitted; ///< other parts that cannot be represented, in words
+  vtkIdType BrokenGlyphs = 0;    ///< with positions or indices of sources that are not finite
 
   MaterialProblems
     Materials; ///< of materials that the data contains; values are checked when the scene is traced

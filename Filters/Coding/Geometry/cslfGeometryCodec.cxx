@@ -201,8 +201,8 @@ std::vector<unsigned char> Pack(vtkPolyData* geometry, Streams& streams)
   {
     const std::size_t size = streams.Arrays[i].GetPointSize();
     const std::vector<unsigned char>& ofBodies = streams.BodyArrays[i];
-    const std::vector<unsigned char> coded[2] = {
-      CodeVertices(streams.Arrays[i].Points, streams.Points, size),
+    const std::vector<unsigned char> coded[2] = { CodeVertices(
+                                                    streams.Arrays[i].Points, streams.Points, size),
       CodeVertices(ofBodies, ofBodies.size() / size, size) };
     header[ArraysKey][i][ArrayBytesKey] = coded[0].size();
     header[ArraysKey][i][BodyBytesKey] = coded[1].size();

@@ -110,9 +110,9 @@ void SceneArrays::AddRange(const std::vector<double>& values, Entry& entry, std:
 void SceneArrays::Get(
   std::uint32_t mesh, const TrianglePoint& point, std::vector<glm::vec3>& values) const
 {
-  const Mesh& own = (*this->Meshes)[mesh];
   for (const Entry& entry : this->Entries)
   {
+    const Mesh& own = (*this->Meshes)[mesh];
     const int number = entry.OfMeshes[mesh];
     bool isKnown = number >= 0;
     for (std::size_t c = 0; isKnown && c < entry.Components.size(); ++c)

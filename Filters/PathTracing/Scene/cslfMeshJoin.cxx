@@ -41,8 +41,8 @@ Kind GetKind(const Mesh& mesh)
       appearance += "\t" + component.Name;
     }
   }
-  return { appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf,
-    mesh.TexCoords.empty(), mesh.HasInstanceColors, mesh.HasInstanceEmissions, mesh.Map == nullptr,
+  return { appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf, mesh.TexCoords.empty(),
+    mesh.HasInstanceColors, mesh.HasInstanceEmissions, mesh.Map == nullptr,
     mesh.MapPlaces.empty() };
 }
 

@@ -63,7 +63,7 @@ struct BuiltScene
   std::string Error;                                   ///< the reason, in one line
   std::string Warning;                                 ///< the omitted parts, in one line, or empty
   std::string ArraysFingerprint; ///< identifies the arrays that a geometry keeps
-  std::string Fingerprint; ///< identifies the scene: a hash of everything visible
+  std::string Fingerprint;       ///< identifies the scene: a hash of everything visible
 };
 
 /// Builds the scene from polygonal data and composite data sets of polygonal data.

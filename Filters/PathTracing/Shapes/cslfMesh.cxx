@@ -103,8 +103,9 @@ glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
 
 glm::vec3 Mesh::GetMapFactor() const
 {
-  return this->Coloring == ColorsOf::None && !this->HasInstanceColors && !this->Map->IsOneColor ? this->Material.BaseColor
-                                                                      : glm::vec3(1.0f);
+  return this->Coloring == ColorsOf::None && !this->HasInstanceColors && !this->Map->IsOneColor
+    ? this->Material.BaseColor
+    : glm::vec3(1.0f);
 }
 
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const

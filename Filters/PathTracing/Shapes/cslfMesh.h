@@ -99,7 +99,7 @@ struct VTKCSLF_EXPORT Mesh
   std::shared_ptr<const ColorMap> Map;
   std::vector<glm::vec2> MapPlaces;
   std::vector<SurfaceArray> Arrays; ///< of the vertices, which a geometry keeps
-  std::string Appearance; ///< identifies the material, the textures and the map
+  std::string Appearance;           ///< identifies the material, the textures and the map
 
   /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
   /// scene's.
