@@ -12,7 +12,7 @@ set(cslf_vtk_components
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling
   FiltersSources
   ImagingCore ImagingGeneral
-  IOCore IOXML
+  IOCore IOExport IOImage IOXML
   ParallelCore
   RenderingCore RenderingOpenGL2 vtksys)
 # The tool and the tests.
@@ -22,7 +22,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
     FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
-    IOGeometry IOImage IOLegacy IOPLY IOXMLParser
+    IOGeometry IOLegacy IOPLY IOXMLParser
     RenderingAnnotation RenderingFreeType RenderingUI)
 endif ()
 if (CSLF_BUILD_TESTING AND NOT CSLF_BUILD_PARAVIEW_PLUGIN)

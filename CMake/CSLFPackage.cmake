@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 string(JOIN " " cslf_package_vtk_components
   CommonCore CommonDataModel CommonExecutionModel
   FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
-  ImagingCore IOCore ParallelCore
+  ImagingCore IOCore IOExport IOImage ParallelCore
   RenderingCore RenderingOpenGL2)
 if (TARGET VTK::ParallelMPI)
   string(APPEND cslf_package_vtk_components " ParallelMPI")

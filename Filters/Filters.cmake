@@ -59,6 +59,9 @@ configure_file("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptionTable.h.in" Options
 cslf_add(Filters/Options Option)
 list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable.h")
 
+# Colour maps with names.
+cslf_add(Filters/SceneLook NamedColorMaps)
+
 # Measures of quality.
 cslf_add(Filters/Quality DisplayCurve TexelChoice)
 
@@ -142,7 +145,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds ClippedBlock
     FaceSides GlyphImporter ImportedScene LightImporter MappedScalars PointParts)
-  cslf_add(Filters/SceneLook NamedColorMaps SurfaceColoring)
+  cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()
 

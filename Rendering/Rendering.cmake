@@ -2,12 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
-list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
+list(APPEND classes
+  ../Rendering/Export/vtkCSLFPageExporter
+  ../Rendering/vtkCSLFMapper
+  ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
   Balls ClosedParts DrawnViews FieldTexture FlatUniforms Focus GeometryMesh LookupPicture LookupTools
   MeshLevels OpenGL Residency ShownMaps TilePool ViewFrustum ViewpointLevels)
+
+# Export of surfaces to files for browsers and other programs.
+cslf_add(Rendering/Export ShownField)
+include("${CSLF_SOURCE_DIR}/Web/Web.cmake")
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS BallFS BallVS Color Cube Encoding Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS

@@ -10,6 +10,7 @@
 
 #include "Pipeline/cslfColorMap.h"
 #include "Pipeline/cslfSurfaceArray.h"
+#include "cslfDescription.h"
 
 #include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
@@ -27,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+class vtkPolyData;
 class vtkScalarsToColors;
 
 namespace cslf
@@ -54,6 +56,9 @@ public:
 
   const std::vector<ColorMap>& GetMaps() const { return this->Maps; }
 
+  /// What each map shows.
+  const std::vector<ShownArray>& GetArrays() const { return this->Arrays; }
+
   /// Whether points have the same places on both.
   bool HasPlacesOf(const ShownMaps& other) const;
 
@@ -80,6 +85,15 @@ private:
   std::vector<ShownArray> Arrays; // of the maps
   int Width = 1;
   std::vector<glm::vec4> Image;
+};
+
+/// What a mapper shows of an actor by the geometry alone, for exporters.
+struct ShownGeometry
+{
+  Description Field;
+  vtkPolyData* Geometry = nullptr;
+  std::shared_ptr<const GeometryMesh> Mesh;
+  std::shared_ptr<const ShownMaps> Maps; ///< null without mapped points
 };
 
 /// What a mapper's user asks for.

@@ -475,6 +475,29 @@ std::shared_ptr<const cslf::ShownMaps> vtkCSLFMapper::ChooseMaps(vtkActor* actor
 }
 
 //------------------------------------------------------------------------------
+bool vtkCSLFMapper::FindShownGeometry(vtkActor* actor, cslf::ShownGeometry& shown)
+{
+  return cslf::GuardMethod(this, ReadingError,
+    [&]
+    {
+      if (!this->UpdateField())
+      {
+        return false;
+      }
+      this->UpdateGeometry();
+      const vtkInternals& internals = *this->Internals;
+      shown.Mesh = internals.Geometry;
+      if (shown.Mesh)
+      {
+        shown.Field = internals.Store->GetDescription();
+        shown.Geometry = this->GetGeometry();
+        shown.Maps = this->ChooseMaps(actor);
+      }
+      return shown.Mesh != nullptr;
+    });
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFMapper::WarnOfMaps(const cslf::MapChoice& choice, const std::string& problem)
 {
   if (!problem.empty())

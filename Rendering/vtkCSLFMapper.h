@@ -77,6 +77,7 @@ namespace cslf
 class FieldStore;
 class ShownMaps;
 struct MapChoice;
+struct ShownGeometry;
 }
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
@@ -304,6 +305,13 @@ public:
    * table or a range is set that does not show, or only in part.
    */
   void CreateDefaultLookupTable() override;
+
+  VTK_WRAPEXCLUDE
+  /**
+   * What the geometry shows of an actor with this mapper, for exporters, whatever the lookup is.
+   * False if there is no valid field or no geometry that is used.
+   */
+  bool FindShownGeometry(vtkActor* actor, cslf::ShownGeometry& shown);
 
   using vtkMapper::GetBounds;
   /**

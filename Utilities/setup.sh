@@ -25,7 +25,8 @@ cslf_packages=(
   python3-vtk9 libcli11-dev
   dpkg-dev file  # for the test of the Debian package
   ffmpeg python3-numpy  # for the test of the independent reader
-  qemu-user)  # for the test of other processors
+  qemu-user  # for the test of other processors
+  chromium chromium-driver node-typescript python3-selenium)  # for those of pages
 
 cslf_is_installed()
 {

@@ -1,19 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf export: the triangles of a scene in one file, for other programs.
+// cslf export: the triangles of a scene, or the surfaces of a light field with their light, in one
+// file, for other programs.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "Options/cslfCameraOptions.h"
+#include "Pictures/cslfFieldColors.h"
+#include "Pictures/cslfPictures.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
 #include "Pipeline/cslfTriangleList.h"
 #include "vtkCSLFInstances.h"
+#include "vtkCSLFPageExporter.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -25,12 +31,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
-
-namespace fs = std::filesystem;
+#include <vector>
 
 namespace cslf::tool
 {
@@ -38,8 +45,14 @@ namespace
 {
 struct Options
 {
-  SceneOptions Scene;
+  std::vector<std::string> Inputs;
   std::string Output;
+  FieldColorOptions Colors;
+  CameraOptions Camera;
+  std::string Title;
+
+  /// What only pages have.
+  std::vector<const CLI::Option*> OfPages;
 };
 
 /// Adds the triangles of polygonal data, at each of its instances if it has any.
@@ -97,14 +110,22 @@ vtkIdType CountFaces(const std::string& fileName)
   return faces;
 }
 
-Result Run(const Options& options)
+Result ExportScene(const Options& options)
 {
-  if (ToPath(options.Output).extension() != ".obj")
+  for (const CLI::Option* option : options.OfPages)
   {
-    throw Failure("Scenes are exported as .obj.");
+    if (option->count() > 0)
+    {
+      throw Failure(option->get_name() + " is for pages (.html).");
+    }
   }
   RequireWritable(options.Output);
-  const Scene scene = options.Scene.Read();
+  SceneOptions inputs;
+  for (auto input = options.Inputs.rbegin(); input != options.Inputs.rend(); ++input)
+  {
+    inputs.AddFirst(*input);
+  }
+  const Scene scene = inputs.Read();
   const auto triangles = MakeTriangles(scene);
   vtkNew<vtkOBJWriter> writer;
   writer->SetInputData(triangles);
@@ -120,20 +141,100 @@ Result Run(const Options& options)
     options.Output + ": " + std::to_string(triangles->GetNumberOfPolys()) + " triangles\n";
   return result;
 }
+
+/// Whether pages can be given a picture.
+bool HasDisplay()
+try
+{
+  const SeparateMessages messages;
+  RequireDisplay();
+  return true;
+}
+catch (const Failure& failure)
+{
+  AddWarning(std::string("The page has no first picture: ") + failure.what());
+  return false;
+}
+
+Result ExportField(const Options& options)
+{
+  const std::string& input = options.Inputs.front();
+  if (options.Inputs.size() > 1)
+  {
+    throw Failure("One light field is exported at a time.");
+  }
+  if (IsSceneName(input) && LowerExtension(input) != ".vti")
+  {
+    throw Failure(input + " is a scene, and pages show light fields, which cslf sample makes.");
+  }
+  RequireOther(input, options.Output);
+  RequireWritable(options.Output);
+  const FieldFile file = OpenField(input);
+  ReadToDraw(file);
+  const FieldColors colors =
+    options.Colors.IsEmpty() ? FieldColors() : FieldColors(options.Colors, file);
+  vtkNew<vtkCSLFPageExporter> exporter;
+  exporter->SetFileName(options.Output.c_str());
+  exporter->SetTitle(options.Title.c_str());
+  exporter->SetPoster(HasDisplay());
+  FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
+  renderer.SetBackground(options.Camera.GetBackground().data());
+  renderer.SetColors(colors);
+  renderer.Export(options.Camera.MakeCamera(file.Field.Box), exporter);
+  Result result;
+  const std::uintmax_t bytes = CountBytes(options.Output);
+  result.JSON = { { "output", options.Output }, { "bytes", bytes } };
+  result.Text = options.Output + ": " + std::to_string(bytes) + " bytes\n";
+  return result;
+}
+
+Result Run(const Options& options)
+{
+  const std::string extension = LowerExtension(options.Output);
+  if (extension == ".obj")
+  {
+    return ExportScene(options);
+  }
+  if (extension != ".html")
+  {
+    throw Failure("Scenes are exported as .obj, light fields as .html.");
+  }
+  return ExportField(options);
+}
 }
 
 void AddExport(CLI::App& app, Command& chosen)
 {
-  CLI::App* command =
-    app.add_subcommand("export", "Write the triangles of a scene to a file for other programs");
-  command->footer(MakeFooter({ "cslf export dragon.ply -o dragon.obj" },
-    "Materials, lights, points and lines are left out. Normals and texture "
+  CLI::App* command = app.add_subcommand("export",
+    "Write the surfaces of a light field as a page for browsers, or the triangles of a scene for "
+    "other programs");
+  command->footer(MakeFooter(
+    { "cslf export field.mp4 -o page.html", "cslf export flow.mp4 -o flow.html --color-map viridis",
+      "cslf export dragon.ply -o dragon.obj" },
+    "Pages have all surfaces with their light, and load nothing else. Light that changes with the "
+    "direction of view, such as reflections, is left out, with a warning.\n\n"
+    "Of scenes, materials, lights, points and lines are left out. Normals and texture "
     "coordinates are written if all parts of the scene have them."));
   const auto options = std::make_shared<Options>();
-  options->Scene.AddInputsTo(*command);
-  command->add_option("-o,--output", options->Output, "the output: .obj")
+  command
+    ->add_option("input", options->Inputs,
+      "a light field (.mp4, .mkv, or another one with geometry), for .html; files of a scene, or "
+      "the name of a built-in one, for .obj")
+    ->type_name(ScenePlaceholder)
+    ->required();
+  command->add_option("-o,--output", options->Output, "the output: .html or .obj")
     ->type_name(FilePlaceholder)
     ->required();
+  const auto common = command->get_options();
+  command->add_option("--title", options->Title, "the page's title (default: its file's name)")
+    ->type_name("TEXT")
+    ->group("Page");
+  options->Colors.AddColorsTo(*command);
+  options->Camera.AddTo(*command);
+  const auto all = command->get_options();
+  std::copy_if(all.begin(), all.end(), std::back_inserter(options->OfPages),
+    [&](const CLI::Option* option)
+    { return std::find(common.begin(), common.end(), option) == common.end(); });
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -49,6 +49,8 @@ constexpr double BackgroundOpacity = 0.6;
 /// The largest share of the picture's width that a long title takes.
 constexpr double MaximumTitle = 0.5;
 
+constexpr const char* ColorGroup = "Colours of a field's scalars";
+
 constexpr int LabelCount = 5;
 constexpr int ColorCount = 512;
 constexpr int LabelDigits = 4;
@@ -84,11 +86,15 @@ bool IsBright(const double color[3])
 
 void FieldColorOptions::AddTo(CLI::App& command)
 {
-  const std::string group = "Colours of a field's scalars";
-  this->Colors.AddTo(command, group,
+  this->AddColorsTo(command);
+  this->AddBarTo(command)->group(ColorGroup);
+}
+
+void FieldColorOptions::AddColorsTo(CLI::App& command)
+{
+  this->Colors.AddTo(command, ColorGroup,
     { "all that the field has", "the colours of an array's values; automatic: those of the field",
       "the range of the field's colour map" });
-  this->AddBarTo(command)->group(group);
 }
 
 CLI::Option* FieldColorOptions::AddBarTo(CLI::App& command)

@@ -39,6 +39,9 @@ struct FieldColorOptions
   /// Adds --color-by, --color-map, --range and --scalar-bar.
   void AddTo(CLI::App& command);
 
+  /// Adds --color-by, --color-map and --range.
+  void AddColorsTo(CLI::App& command);
+
   /// Adds --scalar-bar.
   CLI::Option* AddBarTo(CLI::App& command);
 

@@ -16,6 +16,7 @@
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
+#include <vtkExporter.h>
 #include <vtkImageData.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
@@ -95,6 +96,14 @@ double OffscreenWindow::Draw(vtkCamera* camera)
   const double seconds = SecondsSince(start);
   ThrowOnError();
   return seconds;
+}
+
+void OffscreenWindow::Export(vtkCamera* camera, vtkExporter* exporter)
+{
+  this->Renderer->GetActiveCamera()->DeepCopy(camera);
+  exporter->SetRenderWindow(this->Window);
+  exporter->Write();
+  ThrowOnError();
 }
 
 vtkSmartPointer<vtkImageData> OffscreenWindow::Grab()
@@ -363,6 +372,12 @@ vtkSmartPointer<vtkImageData> FieldRenderer::Render(vtkCamera* camera, int looku
 {
   this->Draw(camera, lookup);
   return this->Window.Grab();
+}
+
+void FieldRenderer::Export(vtkCamera* camera, vtkExporter* exporter)
+{
+  this->Mapper->SetLookupToGeometry();
+  this->Window.Export(camera, exporter);
 }
 
 double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)

@@ -21,6 +21,7 @@ class vtkAlgorithmOutput;
 class vtkCSLFMapper;
 class vtkCSLFToneMapping;
 class vtkCamera;
+class vtkExporter;
 class vtkImageData;
 class vtkUnsignedCharArray;
 
@@ -61,6 +62,9 @@ public:
   /// Draws, waits until the picture is finished, and returns the seconds for both. Throws a
   /// Failure.
   double Draw(vtkCamera* camera);
+
+  /// Lets an exporter write what it shows. Throws a Failure.
+  void Export(vtkCamera* camera, vtkExporter* exporter);
 
   /// The red, green and blue of the last picture. Throws a Failure.
   vtkSmartPointer<vtkImageData> Grab();
@@ -171,6 +175,9 @@ public:
 
   /// The red, green and blue of the view. Throws a Failure.
   vtkSmartPointer<vtkImageData> Render(vtkCamera* camera, int lookup);
+
+  /// Writes the view with an exporter. Throws a Failure.
+  void Export(vtkCamera* camera, vtkExporter* exporter);
 
   /// How many times per second the view can be drawn, without the first drawing.
   double MeasureFrameRate(vtkCamera* camera, int lookup);

@@ -341,14 +341,9 @@ void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) cons
   }
 }
 
-void SceneOptions::AddInputsTo(CLI::App& command)
-{
-  command.add_option("input", this->Inputs, InputHelp)->type_name(ScenePlaceholder)->required();
-}
-
 void SceneOptions::AddTo(CLI::App& command)
 {
-  this->AddInputsTo(command);
+  command.add_option("input", this->Inputs, InputHelp)->type_name(ScenePlaceholder)->required();
   this->AddLightAndMaterialTo(command);
 }
 

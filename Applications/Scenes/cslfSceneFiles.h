@@ -63,9 +63,6 @@ public:
   /// The same, but the files, as arguments or with --scene, are optional.
   void AddOptionalTo(CLI::App& command);
 
-  /// The files only.
-  void AddInputsTo(CLI::App& command);
-
   /// Adds a scene before those of the command line.
   void AddFirst(const std::string& input) { this->Inputs.insert(this->Inputs.begin(), input); }
 

@@ -78,21 +78,25 @@ class Reports:
 
 
 class Messages:
-    """Collects what an algorithm and all that feed it report. Warnings become those of Python."""
+    """Collects what an algorithm, all that feed it, and other objects report. Warnings become those
+    of Python."""
 
-    def __init__(self, algorithm):
+    def __init__(self, algorithm, *others):
         self._algorithm = algorithm
+        self._others = others
         self.errors = []
         self.warnings = []
 
     def __enter__(self):
         self._reports = Reports().__enter__()
         self._tags = []
-        for algorithm in find_producers(self._algorithm):
+        algorithms = find_producers(self._algorithm)
+        for algorithm in algorithms:
             # The executive only repeats that its algorithm has failed.
             self._add(algorithm.GetExecutive(), vtkCommand.ErrorEvent, [])
-            self._add(algorithm, vtkCommand.ErrorEvent, self.errors)
-            self._add(algorithm, vtkCommand.WarningEvent, self.warnings)
+        for sender in (*algorithms, *self._others):
+            self._add(sender, vtkCommand.ErrorEvent, self.errors)
+            self._add(sender, vtkCommand.WarningEvent, self.warnings)
         return self
 
     def _add(self, sender, event, texts):

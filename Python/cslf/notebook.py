@@ -64,15 +64,22 @@ def connect_display(_name):
     return library.XOpenDisplay(None) is not None
 
 
+def find_display_problem(window):
+    """Why a window cannot be drawn; None if it can."""
+    display = os.environ.get("DISPLAY")
+    if window.GetClassName() != "vtkXOpenGLRenderWindow" or display and connect_display(display):
+        return None
+    problem = f"no server answers at DISPLAY={display}" if display else "DISPLAY is not set"
+    return (f"Drawing needs an X server, and {problem}: start the program with xvfb-run -a, or set "
+            "DISPLAY.")
+
+
 def capture(window):
     """Captures a render window as a Picture."""
     check_kind(window, vtkRenderWindow, "window", "a vtkRenderWindow")
-    if window.GetClassName() == "vtkXOpenGLRenderWindow":
-        display = os.environ.get("DISPLAY")
-        if not display or not connect_display(display):
-            problem = f"no server answers at DISPLAY={display}" if display else "DISPLAY is not set"
-            raise RuntimeError(f"Drawing needs an X server, and {problem}: start the program with "
-                               "xvfb-run -a, or set DISPLAY.")
+    problem = find_display_problem(window)
+    if problem:
+        raise RuntimeError(problem)
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     writer = vtkPNGWriter()
@@ -91,24 +98,9 @@ def find_view_up(view, up):
     return (0.0, 0.0, 1.0) if abs(view[2]) < 0.9 * vtkMath.Norm(view) else (0.0, 1.0, 0.0)
 
 
-def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
-         background="#1a1a1f", lookup="Geometry", scalars=None, cmap=None, clim=None,
-         show_scalar_bar=False):
-    """Draws a view of a light field and returns it as a Picture.
-
-    ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
-    ``size`` is the width and height in pixels. ``position`` is the position of the camera in world
-    coordinates, by default in front, a little to the right and above, where the field fills the
-    picture, and ``focal_point`` the point that it looks at, by default the centre of what is drawn.
-    ``background`` is the name of a colour in HTML,
-    such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
-    ``lookup``, ``scalars``, ``cmap`` and ``clim``, and what is raised if there is no such field, are
-    as in ``make_actor``. ``show_scalar_bar`` is whether to draw a bar with the colours and values
-    of the scalars.
-
-    Raises ``TypeError`` for arguments of a wrong kind, ``ValueError`` for those out of range, and
-    ``RuntimeError`` if nothing can be drawn.
-    """
+def make_window(field, size, position, focal_point, view_up, background, lookup, scalars, cmap,
+                clim, show_scalar_bar=False):
+    """A window with a field, and the field's actor. The arguments are those of ``show``."""
     size = get_size(size)
     background = get_color(background, "background")
     view_up = get_vector(view_up, "view_up")
@@ -145,4 +137,26 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     camera.SetFocalPoint(*focal_point)
     camera.SetViewUp(*find_view_up(view, view_up))
     renderer.ResetCameraClippingRange()
-    return capture(window)
+    return window, actor
+
+
+def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
+         background="#1a1a1f", lookup="Geometry", scalars=None, cmap=None, clim=None,
+         show_scalar_bar=False):
+    """Draws a view of a light field and returns it as a Picture.
+
+    ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
+    ``size`` is the width and height in pixels. ``position`` is the position of the camera in world
+    coordinates, by default in front, a little to the right and above, where the field fills the
+    picture, and ``focal_point`` the point that it looks at, by default the centre of what is drawn.
+    ``background`` is the name of a colour in HTML,
+    such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
+    ``lookup``, ``scalars``, ``cmap`` and ``clim``, and what is raised if there is no such field, are
+    as in ``make_actor``. ``show_scalar_bar`` is whether to draw a bar with the colours and values
+    of the scalars.
+
+    Raises ``TypeError`` for arguments of a wrong kind, ``ValueError`` for those out of range, and
+    ``RuntimeError`` if nothing can be drawn.
+    """
+    return capture(make_window(field, size, position, focal_point, view_up, background, lookup,
+                               scalars, cmap, clim, show_scalar_bar)[0])

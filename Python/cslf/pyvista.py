@@ -18,6 +18,7 @@ import pyvista
 
 from .baking import bake
 from .fields import make_actor
+from .pages import write_page
 
 
 class PlotterComponent:
@@ -48,6 +49,14 @@ class PlotterComponent:
         actor = make_actor(field, lookup, scalars=scalars, cmap=cmap, clim=clim)
         self._plotter.add_actor(actor, **arguments)
         return actor
+
+    def export_html(self, file_name, *, title=None):
+        """Writes the light field of the active renderer as one HTML page that shows it in browsers,
+        with the plotter's camera and background, and returns the page's name. What it leaves out,
+        such as other actors, is named in a warning. Exceptions are those of ``cslf.export_html``;
+        ``ValueError`` if there is no light field.
+        """
+        return write_page(self._plotter.render_window, self._plotter.renderer, file_name, title)
 
 
 def _register():

@@ -45,6 +45,8 @@ LAYERS = {
     "Filters/Planning": ["Module", "Filters/Options", "Filters/Files", "Filters/Pipeline",
         "Filters/Coding", "Filters/CubeMaps"],
     "Rendering": ["Module", "Filters/Options", "Filters/Pipeline", "Filters/Lookup"],
+    "Rendering/Export": ["Module", "Filters/Options", "Filters/Files", "Filters/Pipeline",
+        "Filters/Coding", "Filters/SceneLook", "Rendering"],
 }
 
 # Classes of Filters itself that single layers may use.
@@ -54,7 +56,7 @@ CLASSES = {
 }
 
 # Folders whose headers are included by their names alone, because they hold public classes.
-PUBLIC = (*ROOTS, "Filters/Planning", "Filters/SceneData")
+PUBLIC = (*ROOTS, "Filters/Planning", "Filters/SceneData", "Rendering/Export")
 
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
 LIBRARIES = {
