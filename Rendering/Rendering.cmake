@@ -3,6 +3,7 @@
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
 list(APPEND classes
+  ../Rendering/Export/vtkCSLFGLTFExporter
   ../Rendering/Export/vtkCSLFPageExporter
   ../Rendering/vtkCSLFMapper
   ../Rendering/vtkCSLFToneMapping)

@@ -15,6 +15,7 @@
 #include "cslfCommands.h"
 
 #include "Pipeline/cslfTriangleList.h"
+#include "vtkCSLFGLTFExporter.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFPageExporter.h"
 
@@ -50,10 +51,14 @@ struct Options
   FieldColorOptions Colors;
   CameraOptions Camera;
   std::string Title;
+  bool IsCompact = false;
 
-  /// What only pages have.
-  std::vector<const CLI::Option*> OfPages;
+  /// What only fields have.
+  std::vector<const CLI::Option*> OfFields;
 };
+
+constexpr const char* PageFormat = ".html";
+constexpr const char* GLTFFormat = ".glb";
 
 /// Adds the triangles of polygonal data, at each of its instances if it has any.
 void AddTriangles(vtkPolyData* polyData, vtkAppendPolyData* append)
@@ -112,11 +117,11 @@ vtkIdType CountFaces(const std::string& fileName)
 
 Result ExportScene(const Options& options)
 {
-  for (const CLI::Option* option : options.OfPages)
+  for (const CLI::Option* option : options.OfFields)
   {
     if (option->count() > 0)
     {
-      throw Failure(option->get_name() + " is for pages (.html).");
+      throw Failure(option->get_name() + " is for light fields (.html, .glb).");
     }
   }
   RequireWritable(options.Output);
@@ -156,7 +161,28 @@ catch (const Failure& failure)
   return false;
 }
 
-Result ExportField(const Options& options)
+vtkSmartPointer<vtkExporter> MakeExporter(const Options& options, const std::string& format)
+{
+  if (format == GLTFFormat)
+  {
+    auto exporter = vtkSmartPointer<vtkCSLFGLTFExporter>::New();
+    exporter->SetFileName(options.Output.c_str());
+    exporter->SetTitle(options.Title.c_str());
+    exporter->SetCompact(options.IsCompact);
+    return exporter;
+  }
+  if (options.IsCompact)
+  {
+    throw Failure("--compact is for glTF (.glb).");
+  }
+  auto exporter = vtkSmartPointer<vtkCSLFPageExporter>::New();
+  exporter->SetFileName(options.Output.c_str());
+  exporter->SetTitle(options.Title.c_str());
+  exporter->SetPoster(HasDisplay());
+  return exporter;
+}
+
+Result ExportField(const Options& options, const std::string& format)
 {
   const std::string& input = options.Inputs.front();
   if (options.Inputs.size() > 1)
@@ -165,7 +191,8 @@ Result ExportField(const Options& options)
   }
   if (IsSceneName(input) && LowerExtension(input) != ".vti")
   {
-    throw Failure(input + " is a scene, and pages show light fields, which cslf sample makes.");
+    throw Failure(input +
+      " is a scene, and light fields, which cslf sample makes, are exported as " + format + ".");
   }
   RequireOther(input, options.Output);
   RequireWritable(options.Output);
@@ -173,10 +200,7 @@ Result ExportField(const Options& options)
   ReadToDraw(file);
   const FieldColors colors =
     options.Colors.IsEmpty() ? FieldColors() : FieldColors(options.Colors, file);
-  vtkNew<vtkCSLFPageExporter> exporter;
-  exporter->SetFileName(options.Output.c_str());
-  exporter->SetTitle(options.Title.c_str());
-  exporter->SetPoster(HasDisplay());
+  const vtkSmartPointer<vtkExporter> exporter = MakeExporter(options, format);
   FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
   renderer.SetBackground(options.Camera.GetBackground().data());
   renderer.SetColors(colors);
@@ -195,44 +219,48 @@ Result Run(const Options& options)
   {
     return ExportScene(options);
   }
-  if (extension != ".html")
+  if (extension != PageFormat && extension != GLTFFormat)
   {
-    throw Failure("Scenes are exported as .obj, light fields as .html.");
+    throw Failure("Scenes are exported as .obj, light fields as .html or .glb.");
   }
-  return ExportField(options);
+  return ExportField(options, extension);
 }
 }
 
 void AddExport(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("export",
-    "Write the surfaces of a light field as a page for browsers, or the triangles of a scene for "
-    "other programs");
+    "Write the surfaces of a light field as a page for browsers or as glTF, or the triangles of a "
+    "scene, for other programs");
   command->footer(MakeFooter(
-    { "cslf export field.mp4 -o page.html", "cslf export flow.mp4 -o flow.html --color-map viridis",
+    { "cslf export field.mp4 -o page.html", "cslf export flow.mp4 -o flow.glb --color-map viridis",
       "cslf export dragon.ply -o dragon.obj" },
-    "Pages have all surfaces with their light, and load nothing else. Light that changes with the "
-    "direction of view, such as reflections, is left out, with a warning.\n\n"
+    "Pages and glTF have all surfaces with their light, and pages load nothing else. Light that "
+    "changes with the direction of view, such as reflections, is left out, with a warning.\n\n"
     "Of scenes, materials, lights, points and lines are left out. Normals and texture "
     "coordinates are written if all parts of the scene have them."));
   const auto options = std::make_shared<Options>();
   command
     ->add_option("input", options->Inputs,
-      "a light field (.mp4, .mkv, or another one with geometry), for .html; files of a scene, or "
-      "the name of a built-in one, for .obj")
+      "a light field (.mp4, .mkv, or another one with geometry), for .html and .glb; files of a "
+      "scene, or the name of a built-in one, for .obj")
     ->type_name(ScenePlaceholder)
     ->required();
-  command->add_option("-o,--output", options->Output, "the output: .html or .obj")
+  command->add_option("-o,--output", options->Output, "the output: .html, .glb or .obj")
     ->type_name(FilePlaceholder)
     ->required();
   const auto common = command->get_options();
-  command->add_option("--title", options->Title, "the page's title (default: its file's name)")
-    ->type_name("TEXT")
-    ->group("Page");
+  command
+    ->add_option("--title", options->Title,
+      "the page's title, or the name of the root node of glTF (default: the file's name)")
+    ->type_name("TEXT");
+  command->add_flag("--compact", options->IsCompact,
+    "compress glTF some four times, by an extension that three.js and model-viewer know, and VTK "
+    "and f3d do not");
   options->Colors.AddColorsTo(*command);
   options->Camera.AddTo(*command);
   const auto all = command->get_options();
-  std::copy_if(all.begin(), all.end(), std::back_inserter(options->OfPages),
+  std::copy_if(all.begin(), all.end(), std::back_inserter(options->OfFields),
     [&](const CLI::Option* option)
     { return std::find(common.begin(), common.end(), option) == common.end(); });
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

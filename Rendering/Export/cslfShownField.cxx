@@ -5,10 +5,12 @@
 #include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfGuard.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
+#include <vtkExporter.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -105,8 +107,8 @@ void ListOmissions(ShownField& field, int others)
     omissions.push_back(std::to_string(others) + " other object(s) of the window are left out.");
   }
 }
-}
 
+// Throws std::runtime_error.
 ShownField FindShownField(vtkRenderWindow* window, vtkRenderer* renderer)
 {
   ShownField field;
@@ -138,6 +140,7 @@ ShownField FindShownField(vtkRenderWindow* window, vtkRenderer* renderer)
   return field;
 }
 
+// Returns a warning, which is mostly empty. Throws std::runtime_error.
 std::string WriteComplete(const std::string& fileName, const std::vector<std::string>& parts)
 {
   AtomicFile file(fileName);
@@ -161,5 +164,33 @@ std::string WriteComplete(const std::string& fileName, const std::vector<std::st
       DescribeShortage(fileName));
   }
   return warning;
+}
+}
+
+void ExportField(
+  vtkExporter* exporter, const char* fileName, const char* title, const PartMaker& make)
+{
+  if (!fileName || !*fileName)
+  {
+    vtkErrorWithObjectMacro(exporter, "A file name must be set.");
+    return;
+  }
+  GuardMethod(exporter, "Nothing was exported",
+    [&]
+    {
+      const ShownField field =
+        FindShownField(exporter->GetRenderWindow(), exporter->GetActiveRenderer());
+      const std::string name = title && *title ? title : ToName(ToPath(fileName).stem());
+      const std::string warning = WriteComplete(fileName, make(field, name));
+      for (const std::string& omission : field.Omissions)
+      {
+        vtkWarningWithObjectMacro(exporter, << omission);
+      }
+      if (!warning.empty())
+      {
+        vtkWarningWithObjectMacro(exporter, << warning);
+      }
+      return true;
+    });
 }
 }

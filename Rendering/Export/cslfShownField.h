@@ -12,13 +12,14 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkCSLFMapper;
+class vtkExporter;
 class vtkRenderer;
-class vtkRenderWindow;
 
 namespace cslf
 {
@@ -33,13 +34,16 @@ struct ShownField
   std::vector<std::string> Omissions;
 };
 
-/// The first visible actor with a vtkCSLFMapper in a renderer of the window; if the renderer is
-/// null, in any. Throws std::runtime_error if there is none, or if it has no surfaces with colours.
-ShownField FindShownField(vtkRenderWindow* window, vtkRenderer* renderer);
+/// Makes the parts of a file, one after the other, of a field and of a title. May throw
+/// std::exception.
+using PartMaker = std::function<std::vector<std::string>(const ShownField&, const std::string&)>;
 
-/// Writes bytes, one after the other, to a file, which appears complete or not at all. Returns a
-/// warning, which is mostly empty. Throws std::runtime_error.
-std::string WriteComplete(const std::string& fileName, const std::vector<std::string>& parts);
+/// Writes what the exporter's window shows of the first visible actor with a vtkCSLFMapper in its
+/// active renderer or, without one, in any. The file appears complete or not at all. If there is no
+/// title, it is the file's name without its extension. The exporter reports errors, and warns of
+/// what is left out.
+void ExportField(
+  vtkExporter* exporter, const char* fileName, const char* title, const PartMaker& make);
 }
 
 #endif

@@ -3,10 +3,8 @@
 #include "vtkCSLFPageExporter.h"
 
 #include "Coding/Geometry/cslfGeometryCodec.h"
-#include "Files/cslfFileSystem.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfGeometryArrays.h"
-#include "Pipeline/cslfGuard.h"
 #include "SceneLook/cslfNamedColorMaps.h"
 #include "cslfColor.h"
 #include "cslfJSON.h"
@@ -37,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -326,35 +323,17 @@ vtkCSLFPageExporter::~vtkCSLFPageExporter()
 
 void vtkCSLFPageExporter::WriteData()
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("A file name must be set.");
-    return;
-  }
-  cslf::GuardMethod(this, "The page was not written",
-    [this]
+  cslf::ExportField(this, this->FileName, this->Title,
+    [this](const cslf::ShownField& field, const std::string& title)
     {
-      const cslf::ShownField field = cslf::FindShownField(this->RenderWindow, this->ActiveRenderer);
-      const std::string title = this->Title && *this->Title
-        ? this->Title
-        : cslf::ToName(cslf::ToPath(this->FileName).stem());
-      const std::string text = DescribePage(field, title).dump();
-      const std::string data = JoinData(text, EncodeSurfaces(field.Shown));
-      const std::string poster = this->Poster ? DrawPoster(this->RenderWindow) : "";
-      const std::string warning = cslf::WriteComplete(this->FileName,
-        FillIn(cslfPage,
-          { { "title", EscapeHTML(title) },
-            { "background", WriteColor(field.Renderer->GetBackground()) }, { "poster", poster },
-            { "data", EncodeBase64(data) }, { "viewer", EncodeBase64(Deflate(cslfPageViewer)) } }));
-      for (const std::string& omission : field.Omissions)
-      {
-        vtkWarningMacro(<< omission);
-      }
-      if (!warning.empty())
-      {
-        vtkWarningMacro(<< warning);
-      }
-      return true;
+      const std::string data =
+        JoinData(DescribePage(field, title).dump(-1, ' ', false, JSON::error_handler_t::replace),
+          EncodeSurfaces(field.Shown));
+      return FillIn(cslfPage,
+        { { "title", EscapeHTML(title) },
+          { "background", WriteColor(field.Renderer->GetBackground()) },
+          { "poster", this->Poster ? DrawPoster(this->RenderWindow) : "" },
+          { "data", EncodeBase64(data) }, { "viewer", EncodeBase64(Deflate(cslfPageViewer)) } });
     });
 }
 

@@ -82,7 +82,7 @@ class TestCSLFPackage(unittest.TestCase):
             self.assertIn(f"project(CSLF VERSION {cslf.__version__} ", file.read())
         names = set(dir(cslf)) - {name for name in dir(cslf) if name.startswith("vtkCSLF")}
         self.assertEqual(names, {"Error", "LightField", "Picture", "__version__", "bake",
-                                 "capture", "export_html", "make_actor", "show"})
+                                 "capture", "export_gltf", "export_html", "make_actor", "show"})
         self.assertIn("vtkCSLFSampler", cslf.__all__)
         setters = 0
         for kind in vars(cslf.vtkCSLF).values():

@@ -62,7 +62,7 @@ PUBLIC = (*ROOTS, "Filters/Planning", "Filters/SceneData", "Rendering/Export")
 LIBRARIES = {
     r"embree": ["Filters/PathTracing"],
     r"(GL|OpenGL)/glu": ["Filters/Pipeline"],
-    r"meshoptimizer": ["Filters/Geometry", "Filters/Coding", "Rendering"],
+    r"meshoptimizer": ["Filters/Geometry", "Filters/Coding", "Rendering", "Rendering/Export"],
     r"OpenImageIO": ["Filters/PathTracing", "Filters/Files", "Filters/CubeMaps"],
     r"libav|libsw": ["Filters/Coding"],
     r"vtkOpenGL(?!Sphere|Stick)|vtk_gl|glad": ["Rendering"],
