@@ -108,7 +108,15 @@ export class Camera {
 }
 
 /**
- * Lets a pointer, fingers and keys move what `act` moves: turns, pans and zooms.
+ * Whether a text, a list or an open dialog gets the key.
+ * @param {KeyboardEvent} event
+ */
+export const isBusy = (event) => /** @type {HTMLElement} */ (event.target)
+  .matches("input, select") || document.querySelector("dialog[open]") !== null;
+
+/**
+ * Lets a pointer and fingers on an element, and keys anywhere but in texts and lists, move what
+ * `act` moves: turns, pans and zooms.
  * @param {HTMLElement} element
  * @param {{orbit: (x: number, y: number) => void, pan: (x: number, y: number) => void,
  *   zoom: (factor: number) => void}} act x and y are shares of the element's smaller side
@@ -148,10 +156,10 @@ export function listen(element, act) {
     event.preventDefault();
     act.zoom(Math.exp(event.deltaY * (event.deltaMode ? 0.05 : 0.001)));
   }, { passive: false });
-  element.addEventListener("keydown", (event) => {
+  document.addEventListener("keydown", (event) => {
     const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
     const way = ways[/** @type {keyof ways} */ (event.key)];
-    if (event.ctrlKey || event.altKey || event.metaKey) {
+    if (event.ctrlKey || event.altKey || event.metaKey || isBusy(event)) {
       return;
     }
     if (way && event.shiftKey) {

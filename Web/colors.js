@@ -137,10 +137,11 @@ export function rangeOfData({ batches, maps }, map) {
     low = value < low ? value : low;
     high = value > high ? value : high;
   }));
-  if (!map.source) {
-    const own = maps.find((one) => nameOf(one) === nameOf(map)) || map;
-    [low, high] = (own.places || [1, 1 + own.steps]).map((column) =>
+  for (const own of source ? [] : maps.filter((one) => nameOf(one) === nameOf(map))) {
+    const ends = (own.places || [1, 1 + own.steps]).map((column) =>
       valueAt(own, (column - 1) / own.steps));
+    low = Math.min(low, ends[0]);
+    high = Math.max(high, ends[1]);
   }
   return low < high ? [low, high] : low === high ? [low, low + 1] : [0, 1];
 }
@@ -181,6 +182,9 @@ export function isRange(map, range) {
 
 /** A number with as many digits as tell the values of a range apart. */
 export function format(/** @type {number} */ value, /** @type {number[]} */ range) {
+  if (Math.abs(value) < 1e-6 * (range[1] - range[0])) {
+    return "0";
+  }
   const largest = Math.max(Math.abs(range[0]), Math.abs(range[1]));
   const lost = Math.trunc(Math.log10(largest / (range[1] - range[0])));
   return String(Number(value.toPrecision(Math.min(Math.max(4 + lost, 4), 15))));

@@ -150,11 +150,11 @@ function readAttributes(stream, points, size) {
   require(stream[0] === 0xa0, "its points have another version");
   const result = new Uint8Array(points * size);
   const last = stream.slice(stream.length - size);
-  const most = Math.min((8192 / size) & ~15, 256);
+  const maximum = Math.min((8192 / size) & ~15, 256);
   let place = 1;
-  const codes = new Uint8Array(most + 16);
-  for (let first = 0; first < points; first += most) {
-    const count = Math.min(most, points - first);
+  const codes = new Uint8Array(maximum + 16);
+  for (let first = 0; first < points; first += maximum) {
+    const count = Math.min(maximum, points - first);
     const groups = (count + 15) >> 4;
     for (let k = 0; k < size; ++k) {
       const kinds = place;
@@ -323,7 +323,7 @@ function readBodies(all, group, streams, positionBits, scale) {
       for (let p = 0, to = 4 * points * place; p < points; ++p) {
         for (let c = 0; c < 3; ++c) {
           const code = Math.floor(sums[i++] / 32768 + 0.5);
-          side[to++] = scale * Math.max(0, Math.min(255 / scale, code));
+          side[to++] = Math.round(scale * Math.max(0, Math.min(255 / scale, code)));
         }
         side[to++] = flags ? flags[(s * bodies + body) * points + p] : 0;
       }

@@ -9,8 +9,8 @@ const StillPictures = 20;
 const SetShiftX = 0.2;
 const SetShiftY = 0.4;
 const SlowFrame = 60; // milliseconds, above which a moving view gets fewer pixels
-const FastFrame = 25;
-const FewestPixels = 0.35; // along each side
+const FastFrame = 40; // below which it gets more
+const MinimumShare = 0.35; // of the pixels along each side
 
 const Corners = `#version 300 es
 void main()
@@ -123,7 +123,7 @@ export class Picture {
    */
   adapt(milliseconds) {
     if (milliseconds > SlowFrame) {
-      this.share = Math.max(FewestPixels, this.share * 0.8);
+      this.share = Math.max(MinimumShare, this.share * 0.8);
     } else if (milliseconds < FastFrame) {
       this.share = Math.min(1, this.share * 1.1);
     }

@@ -174,6 +174,9 @@ export function makeProgram(gl, vertices, pixels) {
     }
   }
   gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
+    throw new Error(gl.getProgramInfoLog(program) || "a program");
+  }
   /** @type {Record<string, WebGLUniformLocation | null>} */
   const uniforms = {};
   const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) || 0;
@@ -310,8 +313,11 @@ class Mesh {
     this.mapPlaces = places.length ? makeList(gl, places, 2, gl.RG32F, gl.RG, gl.FLOAT) : null;
   }
 
-  /** @param {number} side 0: fronts, or both if they are alike; 1: backs */
-  draw(side) {
+  /**
+   * @param {number} side 0: fronts, or both if they are alike; 1: backs
+   * @param {boolean} isMirrored what is drawn
+   */
+  draw(side, isMirrored) {
     const { gl, mesh } = this.surfaces;
     if (side >= this.sides.length) {
       return;
@@ -324,7 +330,7 @@ class Mesh {
     this.sides.length > 1 ? gl.enable(gl.CULL_FACE) : gl.disable(gl.CULL_FACE);
     gl.cullFace(side ? gl.FRONT : gl.BACK);
     for (const part of this.parts) {
-      gl.frontFace(part.winding);
+      gl.frontFace(isMirrored === (part.winding === gl.CW) ? gl.CCW : gl.CW);
       gl.uniform1i(mesh.uniforms.firstBody, part.first);
       gl.bindVertexArray(part.array);
       gl.drawElementsInstanced(gl.TRIANGLES, this.batch.corners.length, gl.UNSIGNED_INT, 0,
@@ -482,8 +488,9 @@ export class Surfaces {
   /**
    * Draws into the current framebuffer.
    * @param {DOMMatrix} ccToDisplay @param {DOMMatrix} bcToDisplay @param {number[]} eyeBC
+   * @param {boolean} isMirrored whether these matrices mirror what is in front of the eye
    */
-  draw(ccToDisplay, bcToDisplay, eyeBC) {
+  draw(ccToDisplay, bcToDisplay, eyeBC, isMirrored) {
     const { gl, mesh, ball } = this;
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
@@ -508,11 +515,11 @@ export class Surfaces {
       gl.activeTexture(gl.TEXTURE2 + i);
       gl.bindTexture(gl.TEXTURE_2D, this.maps[i]);
     });
-    this.meshes.forEach((one) => one.draw(0));
+    this.meshes.forEach((one) => one.draw(0, isMirrored));
     // Along silhouettes, fronts and backs are equally deep, and the front must be seen.
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(0, 2);
-    this.meshes.forEach((one) => one.draw(1));
+    this.meshes.forEach((one) => one.draw(1, isMirrored));
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.bindVertexArray(null);
   }

@@ -3,7 +3,7 @@
 // The page of a light field: Web/page.html. Its state is the attribute data-state of the root:
 // loading, ready as soon as a still view has its best picture, drawing, or failed.
 
-import { Camera, listen } from "./camera.js";
+import { Camera, cross, dot, isBusy, listen } from "./camera.js";
 import { format, hasArray, isRange, listArrayMaps, nameOf, paintBar, rangeOfData, recolor, valueAt }
   from "./colors.js";
 import { inflate, readGeometry, require } from "./geometry.js";
@@ -17,6 +17,7 @@ import { Surfaces } from "./surfaces.js";
  */
 
 const Labels = 5;
+const MaximumBars = 3; // more would cover the picture
 const StillAfter = 250; // milliseconds after the last movement
 const RotationPeriod = 30; // seconds
 const MaximumPixelRatio = 2;
@@ -63,12 +64,17 @@ function readColor(/** @type {string} */ text) {
   return [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16) / 255);
 }
 
-const numbers = (/** @type {string | null} */ text) => (text || "").split(",").map(Number);
+/** Numbers from -1e30 to 1e30, or NaN. */
+const numbers = (/** @type {string | null} */ text) => (text || "").split(",").map((part) =>
+  part.trim() && Math.abs(Number(part)) <= 1e30 ? Number(part) : NaN);
 const write = (/** @type {number[]} */ values) =>
-  values.map((value) => String(Number(value.toPrecision(9)))).join(",");
+  values.map(String).join(",");
 
-/** @param {Awaited<ReturnType<typeof readData>>} data @param {WebGL2RenderingContext} gl */
-function show({ page, geometry, exported, presets }, gl) {
+/**
+ * @param {Awaited<ReturnType<typeof readData>>} data @param {WebGL2RenderingContext} gl
+ * @param {(text: string) => void} fail
+ */
+function show({ page, geometry, exported, presets }, gl, fail) {
   const canvas = /** @type {HTMLCanvasElement} */ (gl.canvas);
   const half = page.edges.map((/** @type {number} */ edge) => edge / 2);
   const surfaces = new Surfaces(gl, geometry, half);
@@ -79,6 +85,8 @@ function show({ page, geometry, exported, presets }, gl) {
   const corner = toWorld.transformPoint(new DOMPoint(
     ...page.center.map((/** @type {number} */ c, /** @type {number} */ i) => c + half[i])));
   const middle = [center.x, center.y, center.z];
+  const { m11, m12, m13, m21, m22, m23, m31, m32, m33 } = toWorld;
+  const isMirrored = dot([m11, m12, m13], cross([m21, m22, m23], [m31, m32, m33])) < 0;
   const radius = Math.hypot(corner.x - center.x, corner.y - center.y, corner.z - center.z);
   const camera = new Camera(page.camera);
   const arrayMaps = exported.length ? listArrayMaps(geometry, Object.values(presets)[0]) : [];
@@ -88,12 +96,13 @@ function show({ page, geometry, exported, presets }, gl) {
   /** @type {{array: string, map: string, range: number[] | null}} */
   const colors = { array: "", map: "", range: null };
   let background = page.background, isRotating = false, movingUntil = 0, lastFrame = 0;
-  let isRequested = false, hasBar = hasMaps, hasAxes = true;
+  let isRequested = false, wasMoving = false, hasBar = hasMaps, hasAxes = true;
 
   const picture = new Picture(gl, (aspect, x, y) => {
     const world = camera.matrix(aspect, middle, radius, x, y);
     const eye = bcToWorld.inverse().transformPoint(new DOMPoint(...camera.position));
-    surfaces.draw(world.multiply(ccToWorld), world.multiply(bcToWorld), [eye.x, eye.y, eye.z]);
+    surfaces.draw(world.multiply(ccToWorld), world.multiply(bcToWorld), [eye.x, eye.y, eye.z],
+      isMirrored);
   });
 
   const request = () => {
@@ -115,14 +124,18 @@ function show({ page, geometry, exported, presets }, gl) {
   /** @param {number} now */
   function frame(now) {
     isRequested = false;
+    if (gl.isContextLost()) {
+      return;
+    }
     const isMoving = isRotating || now < movingUntil;
     if (isRotating) {
       camera.orbit((-Math.min(now - lastFrame, 100) / 1000 / RotationPeriod) * 2 * Math.PI, 0);
     }
-    if (isMoving && now - lastFrame < 1000) {
+    if (isMoving && wasMoving) {
       picture.adapt(now - lastFrame);
     }
     lastFrame = now;
+    wasMoving = isMoving;
     if (isMoving || !picture.isComplete) {
       picture.draw(isMoving);
       root.dataset.drawn = "";
@@ -154,7 +167,8 @@ function show({ page, geometry, exported, presets }, gl) {
 
   const selects = (/** @type {ColorMap} */ map) =>
     colors.array ? nameOf(map) === colors.array : map.array !== undefined;
-  const findShown = () => shown.find(selects) || shown[0];
+  const isLike = (/** @type {ColorMap} */ map, /** @type {ColorMap} */ other) =>
+    nameOf(map) === nameOf(other) && write(map.range) === write(other.range);
 
   /** The maps in which the chosen array is shown as the field itself or the exported page does. */
   function chooseMaps() {
@@ -169,23 +183,38 @@ function show({ page, geometry, exported, presets }, gl) {
     });
   }
 
+  /** A scalar bar. */
+  function makeBar(/** @type {ColorMap} */ map) {
+    const bar = document.createElement("figure");
+    bar.innerHTML = "<figcaption></figcaption><div><canvas></canvas><ol></ol></div>";
+    const [caption, canvas, labels] = /** @type {any} */ (bar.querySelectorAll("figcaption, canvas, ol"));
+    caption.textContent = nameOf(map);
+    paintBar(canvas, map);
+    labels.innerHTML = Array.from({ length: Labels }, (_, i) =>
+      `<li>${format(valueAt(map, i / (Labels - 1)), map.range)}</li>`).join("");
+    return bar;
+  }
+
   function showColors() {
-    shown = chooseMaps().map((map) => !selects(map) ? map : recolor(map,
-      presets[colors.map] || null, colors.range && isRange(map, colors.range) ? colors.range : map.range));
+    const chosen = chooseMaps();
+    const first = chosen.find(selects);
+    // The range is that of the first bar.
+    shown = chosen.map((map) => !first || !selects(map) ? map
+      : recolor(map, presets[colors.map] || null,
+        colors.range && isRange(map, colors.range) && isLike(map, first) ? colors.range : map.range));
     surfaces.setMaps(shown);
     const form = find("#colors");
     const map = shown.find(selects);
+    form.high.setCustomValidity("");
     form.array.value = colors.array;
     form.map.value = colors.map;
-    find("#bar").hidden = !hasBar || !map;
+    find("#bars").hidden = !hasBar || !map;
+    find("#bars").replaceChildren(...shown.filter((one, i) => selects(one) &&
+      shown.findIndex((other) => selects(other) && isLike(one, other)) === i)
+      .slice(0, MaximumBars).map(makeBar).reverse());
     form.low.disabled = form.high.disabled = form.map.disabled = form.data.disabled = !map;
     if (map) {
-      find("#bar figcaption").textContent = nameOf(map);
-      paintBar(find("#bar canvas"), map);
-      find("#bar ol").innerHTML = Array.from({ length: Labels }, (_, i) =>
-        `<li>${format(valueAt(map, i / (Labels - 1)), map.range)}</li>`).join("");
-      [form.low.value, form.high.value] = map.range.map((/** @type {number} */ value) =>
-        String(Number(value.toPrecision(9))));
+      [form.low.value, form.high.value] = map.range.map(String);
     }
     redraw();
   }
@@ -209,10 +238,11 @@ function show({ page, geometry, exported, presets }, gl) {
       ...Object.keys(presets).map((name) => option(name, name)));
     form.addEventListener("submit", (/** @type {Event} */ event) => event.preventDefault());
     form.addEventListener("change", (/** @type {any} */ event) => {
-      const range = [form.low, form.high].map((input) => parseFloat(input.value));
+      const range = numbers([form.low, form.high].map((input) =>
+        input.value.replace(",", ".")).join(","));
+      const map = /** @type {ColorMap} */ (shown.find(selects) || shown[0]);
       const isRangeChanged = event.target === form.low || event.target === form.high;
-      const isValid = !isRangeChanged || isRange(findShown(), range);
-      form.high.setCustomValidity(isValid ? "" : "This range is empty.");
+      const isValid = !isRangeChanged || isRange(map, range);
       if (colors.array !== form.array.value) {
         colors.range = null; // that of another array
       } else if (isRangeChanged && isValid) {
@@ -222,10 +252,14 @@ function show({ page, geometry, exported, presets }, gl) {
       colors.map = form.map.value;
       if (isValid) {
         showColors();
+      } else {
+        form.high.setCustomValidity(map.logarithmic ? "The range must be of two numbers above 0, " +
+          "the smaller one first." : "The range must be of two numbers, the smaller one first.");
+        form.high.reportValidity();
       }
     });
     form.data.addEventListener("click", () => {
-      colors.range = rangeOfData(geometry, findShown());
+      colors.range = rangeOfData(geometry, /** @type {ColorMap} */ (shown.find(selects)));
       showColors();
     });
     form.addEventListener("reset", (/** @type {Event} */ event) => {
@@ -237,15 +271,22 @@ function show({ page, geometry, exported, presets }, gl) {
 
   // The address has the view, with the names of the options of cslf render.
 
+  const isFirstView = () => camera.viewAngle === page.camera.viewAngle &&
+    ["position", "focalPoint", "viewUp"].every((key) =>
+      write(/** @type {any} */ (camera)[key]) === write(page.camera[key]));
+
   function writeHash() {
-    const values = { position: write(camera.position), "focal-point": write(camera.focalPoint),
-      "view-up": write(camera.viewUp), "view-angle": String(camera.viewAngle),
+    const isFirst = isFirstView();
+    const values = { position: !isFirst && write(camera.position),
+      "focal-point": !isFirst && write(camera.focalPoint),
+      "view-up": !isFirst && write(camera.viewUp), "view-angle": !isFirst && String(camera.viewAngle),
       "color-by": colors.array, "color-map": colors.map, range: colors.range && write(colors.range),
       background: background !== page.background && background };
     const hash = Object.entries(values).filter(([, value]) => value)
       .map(([name, value]) => name + "=" + encodeURIComponent(String(value)).replace(/%2C/g, ","));
     try {
-      history.replaceState(null, "", "#" + hash.join("&"));
+      history.replaceState(null, "", hash.length ? "#" + hash.join("&")
+        : location.pathname + location.search);
     } catch (error) {
       // Some browsers limit how often the address changes.
     }
@@ -253,6 +294,7 @@ function show({ page, geometry, exported, presets }, gl) {
 
   function readHash() {
     const values = new URLSearchParams(location.hash.slice(1));
+    Object.assign(camera, page.camera);
     for (const [name, key] of [["position", "position"], ["focal-point", "focalPoint"],
       ["view-up", "viewUp"]]) {
       const vector = numbers(values.get(name));
@@ -260,13 +302,16 @@ function show({ page, geometry, exported, presets }, gl) {
         Object.assign(camera, { [key]: vector });
       }
     }
-    const angle = Number(values.get("view-angle"));
-    camera.viewAngle = angle > 0 && angle < 180 ? angle : page.camera.viewAngle;
+    const angle = numbers(values.get("view-angle"))[0];
+    camera.viewAngle = angle >= 0.01 && angle <= 179 ? angle : page.camera.viewAngle;
+    if (!(camera.distance > 0) || camera.viewUp.every((x) => x === 0)) {
+      Object.assign(camera, page.camera);
+    }
     const range = numbers(values.get("range"));
     const array = values.get("color-by") || "";
     const map = values.get("color-map") || "";
-    colors.array = names.includes(array) ? array : "";
-    colors.map = presets[map] ? map : "";
+    colors.array = names.length > 1 && names.includes(array) ? array : "";
+    colors.map = Object.hasOwn(presets, map) ? map : "";
     colors.range = range.length === 2 && range[0] < range[1] ? range : null;
     const color = values.get("background") || "";
     setBackground(/^#[0-9a-f]{6}$/i.test(color) ? color : page.background);
@@ -280,6 +325,9 @@ function show({ page, geometry, exported, presets }, gl) {
   const tools = [
     ["reset", "0", "First view", "M4 10l6-6 6 6M6 9v7h8V9", () => {
       Object.assign(camera, page.camera);
+      if (isRotating) {
+        find("#tool-rotate").click();
+      }
       redraw();
     }],
     ["rotate", "r", "Turn by itself", "M16 7a7 7 0 1 0 1 4M17 3v4h-4", () => {
@@ -297,13 +345,13 @@ function show({ page, geometry, exported, presets }, gl) {
         () => !toggle("#colors")],
       ["scalars", "b", "Scalar bar", "M7 2h6v16H7zM7 6h6M7 10h6M7 14h6", () => {
         hasBar = !hasBar;
-        find("#bar").hidden = !hasBar || !shown.some(selects);
+        find("#bars").hidden = !hasBar || !shown.some(selects);
         return hasBar;
       }]]) : []),
     ["background", "l", "Light or dark", "M10 3a7 7 0 0 0 0 14zM10 3a7 7 0 0 1 0 14", () => {
-      const others = [page.background, ...Backgrounds];
       const isLight = root.dataset.theme === "light";
-      setBackground(background === page.background ? Backgrounds[isLight ? 0 : 1] : others[0]);
+      setBackground(
+        background === page.background ? Backgrounds[isLight ? 0 : 1] : page.background);
     }],
     ["picture", "p", "Save the picture", "M3 6h3l1-2h6l1 2h3v10H3zM10 8a3 3 0 1 0 0 6 3 3 0 0 0 0-6", () =>
       canvas.toBlob((blob) => {
@@ -313,9 +361,10 @@ function show({ page, geometry, exported, presets }, gl) {
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 1000);
       })],
-    ["full", "f", "Full screen", "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4", () => {
-      document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
-    }],
+    ...(document.fullscreenEnabled ? /** @type {Tool[]} */ ([
+      ["full", "f", "Full screen", "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4", () => {
+        document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
+      }]]) : []),
     ["help", "h", "Help", "M10 2a8 8 0 1 0 0 16 8 8 0 0 0 0-16M8 8a2 2 0 1 1 3 2c-1 0-1 1-1 2M10 14h0",
       () => find("#help").showModal()],
   ];
@@ -339,8 +388,9 @@ function show({ page, geometry, exported, presets }, gl) {
   }
   document.addEventListener("keydown", (event) => {
     const tool = tools.find(([, key]) => key === event.key.toLowerCase());
-    const isText = /** @type {HTMLElement} */ (event.target).matches("input, select");
-    if (tool && !isText && !event.ctrlKey && !event.altKey && !event.metaKey && !find("#help").open) {
+    if (event.key === "Escape" && hasMaps && !find("#colors").hidden) {
+      find("#tool-colors").click();
+    } else if (tool && !isBusy(event) && !event.ctrlKey && !event.altKey && !event.metaKey) {
       find("#tool-" + tool[0]).click();
     }
   });
@@ -362,11 +412,11 @@ function show({ page, geometry, exported, presets }, gl) {
   addColorControls();
   new ResizeObserver(resize).observe(canvas);
   window.addEventListener("hashchange", readHash);
-  canvas.addEventListener("webglcontextlost", () => {
-    root.dataset.state = "failed";
-    canvas.addEventListener("webglcontextrestored", () => location.reload());
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    fail("The picture stays still until the graphics device is back.");
   });
-  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => location.reload());
   resize();
   readHash();
 }
@@ -387,7 +437,7 @@ async function start() {
     return;
   }
   try {
-    show(await readData(), gl);
+    show(await readData(), gl, fail);
   } catch (error) {
     fail("The picture stays still, because the data of this page cannot be read: " +
       `${error instanceof Error ? error.message : error}.`);

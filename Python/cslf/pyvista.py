@@ -19,6 +19,7 @@ import pyvista
 from .baking import bake
 from .exports import write_gltf, write_page
 from .fields import make_actor
+from .scenes import find_renderer
 
 
 class PlotterComponent:
@@ -56,15 +57,16 @@ class PlotterComponent:
         such as other actors, is named in a warning. Exceptions are those of ``cslf.export_html``;
         ``ValueError`` if there is no light field.
         """
-        return write_page(self._plotter.render_window, self._plotter.renderer, file_name, title)
+        renderer = find_renderer(self._plotter)
+        return write_page(self._plotter.render_window, renderer, file_name, title)
 
     def export_gltf(self, file_name, *, title=None, compact=False):
         """Writes the surfaces of the light field of the active renderer, with their light, as
         binary glTF, and returns the file's name. Arguments and exceptions are those of
         ``cslf.export_gltf``; ``ValueError`` if there is no light field.
         """
-        return write_gltf(
-            self._plotter.render_window, self._plotter.renderer, file_name, title, compact)
+        renderer = find_renderer(self._plotter)
+        return write_gltf(self._plotter.render_window, renderer, file_name, title, compact)
 
 
 def _register():

@@ -11,7 +11,9 @@
 
 #include <vtkActor.h>
 #include <vtkExporter.h>
+#include <vtkMath.h>
 #include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -25,7 +27,14 @@ namespace cslf
 {
 namespace
 {
-/// Finds the field's actor, and counts what else the renderer shows in three dimensions.
+bool HasExtent(vtkProp* prop)
+{
+  const double* bounds = prop->GetBounds();
+  return bounds && vtkMath::AreBoundsInitialized(bounds) != 0;
+}
+
+/// Finds the field's actor, and counts what else the renderer shows in three dimensions, without
+/// those that no camera is reset to, such as axes.
 int FindActor(vtkRenderer* renderer, ShownField& field)
 {
   int others = 0;
@@ -46,7 +55,7 @@ int FindActor(vtkRenderer* renderer, ShownField& field)
       field.Actor = actor;
       field.Mapper = mapper;
     }
-    else if (prop->IsA("vtkProp3D"))
+    else if (prop->IsA("vtkProp3D") && prop->GetUseBounds() && HasExtent(prop))
     {
       ++others;
     }
@@ -77,8 +86,8 @@ void ListOmissions(ShownField& field, int others)
   const int inexact = MeasureInexact(mesh);
   if (inexact > 0)
   {
-    omissions.push_back("Reflections and other light that changes with the direction of view are "
-                        "left out: about " +
+    omissions.push_back("Light that changes with the direction of view, such as reflections, and "
+                        "colours finer than the triangles are left out: about " +
       std::to_string(inexact) + " % of the surfaces have their mean colour.");
   }
   if (IsOpaqueGeometry(field.Shown.Geometry))
@@ -93,6 +102,10 @@ void ListOmissions(ShownField& field, int others)
   {
     omissions.emplace_back("The environment behind the surfaces is left out.");
   }
+  if (field.Renderer->GetGradientBackground() || field.Renderer->GetTexturedBackground())
+  {
+    omissions.emplace_back("The background's gradient or picture is left out.");
+  }
   vtkCSLFToneMapping* tone = field.Mapper->GetToneMapping();
   if (tone->GetExposure() != 1.0 || tone->GetCurve() != vtkCSLFToneMapping::Clamp)
   {
@@ -101,6 +114,10 @@ void ListOmissions(ShownField& field, int others)
   if (field.Mapper->GetNumberOfClippingPlanes() > 0)
   {
     omissions.emplace_back("Clipping planes are left out.");
+  }
+  if (field.Actor->GetProperty()->GetOpacity() < 1.0)
+  {
+    omissions.emplace_back("The actor's opacity is left out.");
   }
   if (others > 0)
   {
@@ -178,8 +195,7 @@ void ExportField(
   GuardMethod(exporter, "Nothing was exported",
     [&]
     {
-      const ShownField field =
-        FindShownField(exporter->GetRenderWindow(), exporter->GetActiveRenderer());
+      ShownField field = FindShownField(exporter->GetRenderWindow(), exporter->GetActiveRenderer());
       const std::string name = title && *title ? title : ToName(ToPath(fileName).stem());
       const std::string warning = WriteComplete(fileName, make(field, name));
       for (const std::string& omission : field.Omissions)

@@ -34,9 +34,9 @@ struct ShownField
   std::vector<std::string> Omissions;
 };
 
-/// Makes the parts of a file, one after the other, of a field and of a title. May throw
-/// std::exception.
-using PartMaker = std::function<std::vector<std::string>(const ShownField&, const std::string&)>;
+/// Makes the parts of a file, one after the other, of a field, whose omissions it may add to, and
+/// of a title. May throw std::exception.
+using PartMaker = std::function<std::vector<std::string>(ShownField&, const std::string&)>;
 
 /// Writes what the exporter's window shows of the first visible actor with a vtkCSLFMapper in its
 /// active renderer or, without one, in any. The file appears complete or not at all. If there is no

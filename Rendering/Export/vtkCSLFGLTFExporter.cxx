@@ -27,7 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,7 +37,6 @@ namespace
 using JSON = nlohmann::json;
 
 // Numbers of glTF 2.0.
-constexpr int ByteType = 5121;
 constexpr int ShortType = 5122;
 constexpr int UnsignedShortType = 5123;
 constexpr int UnsignedIntType = 5125;
@@ -59,6 +58,9 @@ constexpr double MaximumShort = 32767.0;
 constexpr double MaximumCode = 65535.0;
 /// Compact colours may err by this much, as shares of 1, sRGB-encoded, for more zeros.
 constexpr double CompactError = 0.25 / 255.0;
+/// Colours of points are used instead of a texture if those between them differ so little from what
+/// the map gives, as shares of 1, sRGB-encoded.
+constexpr double MaximumError = 2.0 / 255.0;
 
 /// The nearest plane of the camera, as a share of the distance of the farthest.
 constexpr double MinimumNear = 0.001;
@@ -243,11 +245,12 @@ Part MakePart(const cslf::GeometryMesh& mesh, bool hasMaps)
   return part;
 }
 
-/// The colours of the points of a part on a side, or their light, linear.
-std::vector<glm::vec3> ListColors(const cslf::GeometryMesh& mesh, const Part& part, int side)
+/// The colours of points on a side, or their light, linear.
+std::vector<glm::dvec3> ListColors(const cslf::GeometryMesh& mesh, const Part& part, int side)
 {
-  const std::vector<glm::vec4>& all = side == 1 ? mesh.BackColors : mesh.Colors;
-  std::vector<glm::vec3> colors;
+  const std::vector<glm::vec4>& all =
+    side == 1 && !mesh.BackColors.empty() ? mesh.BackColors : mesh.Colors;
+  std::vector<glm::dvec3> colors;
   colors.reserve(part.Points.size());
   for (const std::size_t point : part.Points)
   {
@@ -256,11 +259,7 @@ std::vector<glm::vec3> ListColors(const cslf::GeometryMesh& mesh, const Part& pa
     {
       color /= std::max(double(all[point].w), 1e-6);
     }
-    if (part.HasMaps || !mesh.IsLinear)
-    {
-      color = cslf::SRGBToLinear(color);
-    }
-    colors.emplace_back(part.HasMaps ? color : glm::min(color, 1.0));
+    colors.push_back(part.HasMaps || !mesh.IsLinear ? cslf::SRGBToLinear(color) : color);
   }
   return colors;
 }
@@ -281,11 +280,122 @@ std::uint16_t ToCode(double linear, bool isCompact)
   return static_cast<std::uint16_t>(std::lround(exact));
 }
 
+/// How a part with maps is shown: by a texture, or by colours of its points.
+class MappedPart
+{
+public:
+  MappedPart(const cslf::GeometryMesh& mesh, const cslf::ShownMaps& maps, const Part& part)
+    : Maps(maps)
+    , Light{ ListColors(mesh, part, 0), ListColors(mesh, part, 1) }
+  {
+    const std::vector<glm::vec2> all = maps.ListPlaces(mesh.Mapped);
+    for (const std::size_t point : part.Points)
+    {
+      this->Places.push_back(all[point]);
+    }
+    this->HasTexture = this->MeasureError(mesh, part) > MaximumError;
+    double brightest = 1.0;
+    for (const std::vector<glm::dvec3>& side : this->Light)
+    {
+      for (const glm::dvec3& light : side)
+      {
+        brightest = std::max({ brightest, light.x, light.y, light.z });
+      }
+    }
+    double lightest = 1e-3;
+    for (const glm::vec4& color : maps.GetImage())
+    {
+      lightest = std::max({ lightest, double(color.x), double(color.y), double(color.z) });
+    }
+    this->Scale = std::clamp(1.0 / lightest, 1.0, brightest);
+    this->IsCut = this->HasTexture && brightest > (1.0 + 1e-3) * this->Scale;
+  }
+
+  /// Whether the colours between points differ too much from those of the maps.
+  bool HasTexture;
+
+  /// What multiplies the texture, and divides the light, because colours of points must not be
+  /// above 1.
+  double Scale;
+
+  /// Whether some light is above 1 nevertheless.
+  bool IsCut;
+
+  /// Places on the texture.
+  std::vector<glm::vec2> ListTexturePlaces() const
+  {
+    std::vector<glm::vec2> places;
+    places.reserve(this->Places.size());
+    for (const glm::vec2& place : this->Places)
+    {
+      const float map = std::floor(0.5f * place.y);
+      const float none = place.y - 2.0f * map;
+      places.emplace_back(place.x / static_cast<float>(this->Maps.GetWidth()),
+        (2.0f * map + NumberRow + none) / static_cast<float>(this->Maps.GetHeight()));
+    }
+    return places;
+  }
+
+  /// The colours of the points: with a texture, what multiplies that.
+  std::vector<glm::dvec3> ListPointColors(int side) const
+  {
+    std::vector<glm::dvec3> colors;
+    colors.reserve(this->Places.size());
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      colors.push_back(this->HasTexture
+          ? this->Light[side][i] / this->Scale
+          : this->Light[side][i] * this->GetMapColor(this->Places[i]));
+    }
+    return colors;
+  }
+
+private:
+  glm::dvec3 GetMapColor(const glm::vec2& place) const
+  {
+    const float map = std::floor(0.5f * place.y);
+    return glm::dvec3(
+      this->Maps.GetColor(static_cast<std::size_t>(map), { place.x, place.y - 2.0f * map }));
+  }
+
+  /// How far the colours at the middles of edges are from the means of their ends, as the root mean
+  /// square of sRGB-encoded components, weighted by the triangles' areas.
+  double MeasureError(const cslf::GeometryMesh& mesh, const Part& part) const
+  {
+    double sum = 0.0;
+    double weights = 0.0;
+    const auto show = [&](const glm::dvec3& light, const glm::vec2& place)
+    { return glm::min(light * this->GetMapColor(place), 1.0); };
+    for (std::size_t i = 0; i < part.Fronts.size(); ++i)
+    {
+      const std::size_t corner = part.Fronts[i];
+      const std::size_t next = part.Fronts[i - i % 3 + (i + 1) % 3];
+      const std::size_t last = part.Fronts[i - i % 3 + (i + 2) % 3];
+      const glm::vec3& place = mesh.PointsCC[part.Points[corner]];
+      const double area = glm::length(glm::cross(
+        mesh.PointsCC[part.Points[next]] - place, mesh.PointsCC[part.Points[last]] - place));
+      const std::vector<glm::dvec3>& light = this->Light[0];
+      const glm::dvec3 mean =
+        0.5 * (show(light[corner], this->Places[corner]) + show(light[next], this->Places[next]));
+      const glm::dvec3 shown = show(
+        0.5 * (light[corner] + light[next]), 0.5f * (this->Places[corner] + this->Places[next]));
+      const glm::dvec3 error = cslf::LinearToSRGB(mean) - cslf::LinearToSRGB(shown);
+      sum += area * glm::dot(error, error) / 3.0;
+      weights += area;
+    }
+    return std::sqrt(sum / std::max(weights, 1e-300));
+  }
+
+  const cslf::ShownMaps& Maps;
+  std::array<std::vector<glm::dvec3>, 2> Light;
+  std::vector<glm::vec2> Places; // as ShownMaps::ListPlaces
+};
+
 /// Writes the geometry of a window.
 class Writer
 {
 public:
-  Writer(const cslf::ShownField& field, const std::string& title, bool isCompact)
+  Writer(cslf::ShownField& field, const std::string& title, bool isCompact)
     : Field(field)
     , Mesh(*field.Shown.Mesh)
     , IsCompact(isCompact)
@@ -359,9 +469,13 @@ private:
       matrix->SetElement(axis, 3, box.Center[axis]);
     }
     vtkMatrix4x4::Multiply4x4(this->Field.Actor->GetMatrix(), matrix, matrix);
-    this->Data.AddTo("nodes",
-      { { "name", title }, { "mesh", 0 }, { "matrix", List(matrix) },
-        { "extras", { { "leftOut", this->Field.Omissions } } } });
+    JSON node = { { "name", title }, { "mesh", 0 },
+      { "extras", { { "leftOut", this->Field.Omissions } } } };
+    if (!matrix->IsIdentity())
+    {
+      node["matrix"] = List(matrix);
+    }
+    this->Data.AddTo("nodes", node);
   }
 
   /// Planes before and behind all of the cube.
@@ -415,25 +529,40 @@ private:
   {
     const bool hasBacks = !this->Mesh.BackColors.empty() && !part.Backs.empty();
     JSON attributes = { { "POSITION", this->AddPositions(part) } };
-    if (part.HasMaps)
-    {
-      attributes["TEXCOORD_0"] = this->AddPlaces(part);
-    }
-    attributes["COLOR_0"] = this->AddColors(part, 0);
     // Without colours of their own, backs show those of the fronts.
     const bool isDouble = this->Mesh.BackColors.empty() && !part.Backs.empty();
     JSON material = { { "extensions", { { Unlit, JSON::object() } } }, { "doubleSided", isDouble },
       { "pbrMetallicRoughness", { { "metallicFactor", 0.0 }, { "roughnessFactor", 1.0 } } } };
+    std::optional<MappedPart> mapped;
     if (part.HasMaps)
     {
-      material["pbrMetallicRoughness"]["baseColorTexture"] = { { "index", this->AddTexture() } };
+      mapped.emplace(this->Mesh, *this->Field.Shown.Maps, part);
     }
+    if (mapped && mapped->HasTexture)
+    {
+      const std::vector<glm::vec2> places = mapped->ListTexturePlaces();
+      attributes["TEXCOORD_0"] = this->Data.AddPoints(places.data(), places.size(),
+        sizeof(places[0]), { { "componentType", FloatType }, { "type", "VEC2" } });
+      material["pbrMetallicRoughness"]["baseColorTexture"] = { { "index",
+        this->AddTexture(mapped->Scale) } };
+    }
+    if (mapped && mapped->IsCut)
+    {
+      this->Field.Omissions.emplace_back(
+        "Light that would make surfaces with a colour map brighter than the map is cut off.");
+    }
+    const auto addColors = [&](int side)
+    {
+      attributes["COLOR_0"] = this->AddColors(
+        mapped ? mapped->ListPointColors(side) : ListColors(this->Mesh, part, side));
+    };
+    addColors(0);
     const std::size_t number = this->Data.AddTo("materials", material);
     primitives.push_back({ { "attributes", attributes }, { "material", number },
       { "indices", this->Data.AddCorners(part.Fronts, part.Points.size()) } });
     if (hasBacks)
     {
-      attributes["COLOR_0"] = this->AddColors(part, 1);
+      addColors(1);
       primitives.push_back({ { "attributes", attributes }, { "material", number },
         { "indices", this->Data.AddCorners(part.Backs, part.Points.size()) } });
     }
@@ -470,25 +599,8 @@ private:
     return this->Data.AddPoints(places.data(), places.size(), sizeof(places[0]), accessor);
   }
 
-  std::size_t AddColors(const Part& part, int side)
+  std::size_t AddColors(const std::vector<glm::dvec3>& colors)
   {
-    const std::vector<glm::vec3> colors = ListColors(this->Mesh, part, side);
-    const bool isBright = std::any_of(colors.begin(), colors.end(),
-      [](const glm::vec3& color) {
-        return std::max({ color.x, color.y, color.z }) > 1.0f;
-      });
-    JSON accessor = { { "componentType", isBright ? FloatType : UnsignedShortType },
-      { "type", "VEC4" } };
-    if (isBright)
-    {
-      std::vector<glm::vec4> values;
-      values.reserve(colors.size());
-      for (const glm::vec3& color : colors)
-      {
-        values.emplace_back(color, 1.0f);
-      }
-      return this->Data.AddPoints(values.data(), values.size(), sizeof(values[0]), accessor);
-    }
     std::vector<std::array<std::uint16_t, 4>> codes(colors.size());
     for (std::size_t i = 0; i < colors.size(); ++i)
     {
@@ -498,30 +610,12 @@ private:
       }
       codes[i][3] = 0xFFFF;
     }
-    accessor["normalized"] = true;
-    return this->Data.AddPoints(codes.data(), codes.size(), sizeof(codes[0]), accessor);
+    return this->Data.AddPoints(codes.data(), codes.size(), sizeof(codes[0]),
+      { { "componentType", UnsignedShortType }, { "normalized", true }, { "type", "VEC4" } });
   }
 
-  /// Places on the texture.
-  std::size_t AddPlaces(const Part& part)
-  {
-    const cslf::ShownMaps& maps = *this->Field.Shown.Maps;
-    const std::vector<glm::vec2> all = maps.ListPlaces(this->Mesh.Mapped);
-    std::vector<glm::vec2> places;
-    places.reserve(part.Points.size());
-    for (const std::size_t point : part.Points)
-    {
-      const float map = std::floor(0.5f * all[point].y);
-      const float none = all[point].y - 2.0f * map;
-      places.emplace_back(all[point].x / static_cast<float>(maps.GetWidth()),
-        (2.0f * map + NumberRow + none) / static_cast<float>(maps.GetHeight()));
-    }
-    return this->Data.AddPoints(places.data(), places.size(), sizeof(places[0]),
-      { { "componentType", FloatType }, { "type", "VEC2" } });
-  }
-
-  /// All maps as an image.
-  std::size_t AddTexture()
+  /// All maps as an image, times a factor.
+  std::size_t AddTexture(double scale)
   {
     const cslf::ShownMaps& maps = *this->Field.Shown.Maps;
     vtkNew<vtkImageData> image;
@@ -537,7 +631,7 @@ private:
           static_cast<unsigned char*>(image->GetScalarPointer(x, maps.GetHeight() - 1 - y, 0));
         for (int c = 0; c < 3; ++c)
         {
-          to[c] = cslf::ToByte(cslf::LinearToSRGB(double(maps.GetImage()[from][c])));
+          to[c] = cslf::ToByte(cslf::LinearToSRGB(scale * maps.GetImage()[from][c]));
         }
       }
     }
@@ -564,7 +658,7 @@ private:
     return { columns->GetData(), columns->GetData() + 16 };
   }
 
-  const cslf::ShownField& Field;
+  cslf::ShownField& Field;
   const cslf::GeometryMesh& Mesh;
   bool IsCompact;
   JSON GLTF;
@@ -585,7 +679,7 @@ vtkCSLFGLTFExporter::~vtkCSLFGLTFExporter()
 void vtkCSLFGLTFExporter::WriteData()
 {
   cslf::ExportField(this, this->FileName, this->Title,
-    [this](const cslf::ShownField& field, const std::string& title)
+    [this](cslf::ShownField& field, const std::string& title)
     { return Writer(field, title, this->Compact).Join(); });
 }
 

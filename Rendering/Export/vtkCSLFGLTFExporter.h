@@ -7,12 +7,12 @@
  * The file (.glb) has the triangles of the field's geometry in the colours that the mapper shows,
  * without light of the viewer's own (KHR_materials_unlit), for viewers such as three.js and model-
  * viewer. Sides with different colours are two primitives, the second with the opposite winding;
- * where closed bodies are seen from outside only, there is no second one. Colours are linear, of
- * 16 bits or, if any is brighter than white, floats (COLOR_0). Where a colour map gives them, the
- * map is a texture with which the viewer multiplies the light, so that colours are as fine as the
- * map. The root node has the name of the title, the actor's matrix, and as extras what the file
- * leaves out, which is also named in warnings: see vtkCSLFPageExporter. The second node is the
- * window's camera.
+ * where closed bodies are seen from outside only, there is no second one. Colours are those of
+ * points (COLOR_0), linear, of 16 bits. Only where colours between points differ visibly from
+ * those of a colour map, the map is a texture, with which the viewer multiplies the light. The
+ * root node has the name of the title, the actor's matrix, and as extras what the file leaves out,
+ * which is also named in warnings: see vtkCSLFPageExporter. The second node is the window's
+ * camera.
  *
  * The light field is that of the first visible actor with a vtkCSLFMapper in ActiveRenderer or, if
  * that is null, in any renderer. It must have geometry with colours.

@@ -19,6 +19,7 @@
 #include <vtkImageResize.h>
 #include <vtkJPEGWriter.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -35,6 +36,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -51,9 +53,12 @@ std::string Deflate(const std::string& bytes)
 {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string deflated(size, '\0');
-  compress2(reinterpret_cast<Bytef*>(deflated.data()), &size,
-    reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
-    Z_BEST_COMPRESSION);
+  if (compress2(reinterpret_cast<Bytef*>(deflated.data()), &size,
+        reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
+        Z_BEST_COMPRESSION) != Z_OK)
+  {
+    throw std::bad_alloc();
+  }
   deflated.resize(size);
   return deflated;
 }
@@ -90,6 +95,12 @@ std::string WriteColor(const double color[3])
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", cslf::ToByte(color[0]),
     cslf::ToByte(color[1]), cslf::ToByte(color[2]));
   return text.data();
+}
+
+/// As setBackground of the viewer has it.
+bool IsLight(const double color[3])
+{
+  return 0.3 * color[0] + 0.6 * color[1] + 0.1 * color[2] > 0.5;
 }
 
 /// Steps and colours; each but the first three numbers is the difference to the colour before.
@@ -163,12 +174,24 @@ bool AreOwn(const cslf::ShownMaps& maps, const std::vector<cslf::ColorMap>& own)
       [](const cslf::ShownArray& array) { return array.Number < 0; });
 }
 
+/// One in perspective, at such a distance that the focal point has the same scale.
 JSON DescribeCamera(vtkCamera* camera)
 {
   const auto list = [](const double* vector) { return JSON{ vector[0], vector[1], vector[2] }; };
-  return { { "position", list(camera->GetPosition()) },
-    { "focalPoint", list(camera->GetFocalPoint()) }, { "viewUp", list(camera->GetViewUp()) },
-    { "viewAngle", camera->GetViewAngle() } };
+  std::array<double, 3> position{};
+  camera->GetPosition(position.data());
+  if (camera->GetParallelProjection())
+  {
+    const double distance = camera->GetParallelScale() /
+      std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      position[axis] =
+        camera->GetFocalPoint()[axis] - distance * camera->GetDirectionOfProjection()[axis];
+    }
+  }
+  return { { "position", list(position.data()) }, { "focalPoint", list(camera->GetFocalPoint()) },
+    { "viewUp", list(camera->GetViewUp()) }, { "viewAngle", camera->GetViewAngle() } };
 }
 
 JSON DescribePage(const cslf::ShownField& field, const std::string& title)
@@ -332,6 +355,7 @@ void vtkCSLFPageExporter::WriteData()
       return FillIn(cslfPage,
         { { "title", EscapeHTML(title) },
           { "background", WriteColor(field.Renderer->GetBackground()) },
+          { "theme", IsLight(field.Renderer->GetBackground()) ? "light" : "dark" },
           { "poster", this->Poster ? DrawPoster(this->RenderWindow) : "" },
           { "data", EncodeBase64(data) }, { "viewer", EncodeBase64(Deflate(cslfPageViewer)) } });
     });

@@ -7,7 +7,7 @@
  * The page has the surfaces of the field's geometry with their light, compressed as in coded files,
  * and a viewer for browsers with WebGL 2: to turn, move and zoom the view, and to show the field's
  * scalars in other colours. It loads nothing else. Its first view is that of the window's camera,
- * before the renderer's background, in the colours that the mapper shows.
+ * in perspective, before the renderer's background colour, in the colours that the mapper shows.
  *
  * The light field is that of the first visible actor with a vtkCSLFMapper in ActiveRenderer or, if
  * that is null, in any renderer. It must have geometry with colours, as fields of diffuse surfaces

@@ -11,7 +11,7 @@ import unittest
 import cslf
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 try:
     import pyvista
@@ -25,6 +25,9 @@ class StandInPlotter:
     def __init__(self):
         self.renderer = vtkRenderer()
         self.renderer.camera_set = False
+        self.render_window = vtkRenderWindow()
+        self.render_window.OffScreenRenderingOn()
+        self.render_window.AddRenderer(self.renderer)
         self.arguments = []
 
     def view_isometric(self):
@@ -86,6 +89,15 @@ class TestCSLFPyVista(unittest.TestCase):
             plotter.cslf.bake(name, viewpoints=3, resolution=16, crf=30.0, sampler=sampler), name)
         viewer = self.module.Plotter()
         self.assertEqual(viewer.cslf.add_light_field(name).GetClassName()[-5:], "Actor")
+        for export in (viewer.cslf.export_html, viewer.cslf.export_gltf):
+            self.assertEqual(export("exported", title="A sphere"), "exported")
+            with open("exported", "rb") as file:
+                self.assertIn(b"A sphere", file.read())
+            os.remove("exported")
+        if not pyvista:
+            self.assertTrue(viewer.renderer.camera_set)
+        with self.assertRaisesRegex(ValueError, "no light field"):
+            plotter.cslf.export_html("exported")
         os.remove(name)
 
     def test_invalid(self):

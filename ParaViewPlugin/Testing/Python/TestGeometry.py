@@ -81,6 +81,19 @@ coarse = CSLFResample(Input=reader, ResolutionDivisor=1, ViewpointStride=2)
 quality = psnr(draw(coarse, "coarse"), truth)
 check(quality > psnr(depth, truth), f"resampled: {quality} dB")
 
+# As a page and as glTF, without what is beside it in other views.
+alone = make_view()
+Show(field, alone)
+look_through(alone)
+Render(alone)
+for name, start in (("page.html", b"<!DOCTYPE html>"), ("surfaces.glb", b"glTF")):
+    ExportView(name, view=alone, Title="Slats")
+    with open(name, "rb") as file:
+        data = file.read()
+    check(data.startswith(start) and b"Slats" in data, f"{name} was not exported")
+    check(b"other object" not in data, f"{name} lacks other objects")
+Delete(alone)
+
 # What a view shows.
 shown = make_view()
 Show(scene, shown)
