@@ -4,7 +4,7 @@
 #
 # Sourced by the scripts beside it: installs what CSLF needs on a bare Debian, and builds it.
 #   cslf_install PACKAGE...    installs the Debian packages that are missing, such as those of the
-#                              lists cslf_library_packages and cslf_packages
+#                              lists cslf_library_packages, cslf_packages and cslf_test_packages
 #   cslf_build [TARGET...]     configures and builds the preset "release"
 # Sets `source`, the source folder, and `build`, the build folder.
 
@@ -19,10 +19,11 @@ cslf_library_packages=(
   libavcodec-dev libavformat-dev libavutil-dev
   xauth xvfb)
 
-# The dependencies of the library, the tool, the Python package and the tests.
-cslf_packages=(
-  "${cslf_library_packages[@]}"
-  python3-vtk9 libcli11-dev
+# The dependencies of the library, the tool and the Python package.
+cslf_packages=("${cslf_library_packages[@]}" python3-vtk9 libcli11-dev)
+
+# What only the tests need.
+cslf_test_packages=(
   dpkg-dev file  # for the test of the Debian package
   ffmpeg python3-numpy  # for the test of the independent reader
   qemu-user  # for the test of other processors

@@ -11,7 +11,7 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-cslf_install "${cslf_packages[@]}"
+cslf_install "${cslf_packages[@]}" "${cslf_test_packages[@]}"
 cslf_build
 
 tests=(--label-exclude nightly)

@@ -180,14 +180,13 @@ export function isRange(map, range) {
     !(map.logarithmic && range[0] <= 0);
 }
 
-/** A number with as many digits as tell the values of a range apart. */
-export function format(/** @type {number} */ value, /** @type {number[]} */ range) {
-  if (Math.abs(value) < 1e-6 * (range[1] - range[0])) {
-    return "0";
+/** A value for a scalar bar: with four digits of the range, or of its own if that is logarithmic. */
+export function format(/** @type {number} */ value, /** @type {ColorMap} */ map) {
+  if (map.logarithmic) {
+    return String(Number(value.toPrecision(4)));
   }
-  const largest = Math.max(Math.abs(range[0]), Math.abs(range[1]));
-  const lost = Math.trunc(Math.log10(largest / (range[1] - range[0])));
-  return String(Number(value.toPrecision(Math.min(Math.max(4 + lost, 4), 15))));
+  const unit = 10 ** (Math.floor(Math.log10(map.range[1] - map.range[0])) - 3);
+  return String(Number((Math.round(value / unit) * unit).toPrecision(15)));
 }
 
 /** A map's colours from the bottom of a canvas of one column to its top. */

@@ -191,7 +191,7 @@ function show({ page, geometry, exported, presets }, gl, fail) {
     caption.textContent = nameOf(map);
     paintBar(canvas, map);
     labels.innerHTML = Array.from({ length: Labels }, (_, i) =>
-      `<li>${format(valueAt(map, i / (Labels - 1)), map.range)}</li>`).join("");
+      `<li>${format(valueAt(map, i / (Labels - 1)), map)}</li>`).join("");
     return bar;
   }
 
