@@ -10,6 +10,7 @@ import base64
 import json
 import math
 import pathlib
+import shutil
 import subprocess
 import sys
 import time
@@ -17,6 +18,7 @@ import time
 try:
     import numpy
     from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
@@ -67,7 +69,8 @@ class Browser:
             options.add_argument(switch)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         try:
-            self.driver = webdriver.Chrome(options=options)
+            self.driver = webdriver.Chrome(
+                options=options, service=Service(shutil.which("chromedriver") or "chromedriver"))
         except Exception as error:  # no Chromium, or none that starts
             print(f"Skipped: {error}")
             sys.exit(125)
