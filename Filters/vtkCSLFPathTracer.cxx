@@ -185,6 +185,7 @@ nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isRepla
 
 vtkCSLFPathTracer::vtkCSLFPathTracer()
   : Colors(options::Colors.Default)
+  , Interreflection(options::Interreflection.Default)
   , Quality(options::Quality.Default)
   , Samples(options::Samples.Default)
   , NoiseTarget(options::NoiseTarget.Default)
@@ -291,6 +292,7 @@ int vtkCSLFPathTracer::GetUsedCacheSamples()
 
 cslfSetOptionMacro(vtkCSLFPathTracer, Integrator, Integrator);
 cslfSetOptionMacro(vtkCSLFPathTracer, Colors, Colors);
+cslfSetOptionMacro(vtkCSLFPathTracer, Interreflection, Interreflection);
 cslfSetOptionMacro(vtkCSLFPathTracer, Quality, Quality);
 cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
 cslfSetOptionMacro(vtkCSLFPathTracer, NoiseTarget, NoiseTarget);
@@ -564,6 +566,10 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     vtkErrorMacro(<< this->Internals->Scene.Error);
     return false;
   }
+  if (this->Interreflection == Neutral && this->GetUsedIntegrator() != RadianceCaching)
+  {
+    vtkWarningMacro("Interreflection is neutral only with radiance caching.");
+  }
   if (!this->Internals->Scene.Warning.empty())
   {
     vtkWarningMacro(<< this->Internals->Scene.Warning);
@@ -632,6 +638,10 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   }
   if (this->GetUsedIntegrator() == RadianceCaching)
   {
+    if (this->Interreflection == Neutral)
+    {
+      sampling[options::Interreflection.Key] = options::Interreflection.Names[Neutral];
+    }
     vtkCSLFRadianceCacheOptions* cacheOptions = this->Internals->CacheOptions;
     sampling["cache"] = { { options::CacheTolerance.Key, this->GetUsedCacheTolerance() },
       { options::CacheSpacing.Key, cacheOptions->GetSpacing() },
@@ -655,6 +665,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Colors: " << this->Colors << "\n";
+  os << indent << "Interreflection: " << this->Interreflection << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "CacheOptions:\n";
   this->Internals->CacheOptions->PrintSelf(os, indent.GetNextIndent());

@@ -144,6 +144,28 @@ public:
   void SetColorsToExact() { this->SetColors(Exact); }
   ///@}
 
+  enum
+  {
+    Colored, ///< that of their colours
+    Neutral  ///< that of a grey
+  };
+
+  ///@{
+  /**
+   * The light that surfaces reflect onto others whose colours a map of scalars tells, or which keep
+   * arrays. Coloured: that of their colours, as in reality. Neutral: that of a grey of their mean
+   * albedo, so that the light of fields does not depend on the map, and also fits the colours that
+   * are chosen after the bake; then views differ from path tracing, and so does the certificate of
+   * files. It needs radiance caching. What is seen in mirrors keeps its colours. Default: coloured.
+   */
+  void SetInterreflection(int interreflection);
+  vtkGetMacro(Interreflection, int);
+  /** That of their colours. */
+  void SetInterreflectionToColored() { this->SetInterreflection(Colored); }
+  /** That of a grey. */
+  void SetInterreflectionToNeutral() { this->SetInterreflection(Neutral); }
+  ///@}
+
   ///@{
   /**
    * The accuracy and cost of radiance caching. Null selects new options with the default values.
@@ -474,6 +496,7 @@ private:
   bool MustGather();
 
   int Colors;
+  int Interreflection;
   int Integrator = PathTracing;
   int Quality;
   int Samples;

@@ -28,6 +28,23 @@ namespace
 constexpr double CacheProgress = 0.45;
 constexpr double CheckProgress = 0.5;
 ///@}
+
+/// A scene whose mapped surfaces are grey while this object exists.
+class NeutralScene
+{
+public:
+  NeutralScene(cslf::Scene& scene, bool isNeutral)
+    : World(scene)
+  {
+    this->World.SetNeutral(isNeutral);
+  }
+  ~NeutralScene() { this->World.SetNeutral(false); }
+  NeutralScene(const NeutralScene&) = delete;
+  NeutralScene& operator=(const NeutralScene&) = delete;
+
+private:
+  cslf::Scene& World;
+};
 }
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size, int quality)
@@ -166,6 +183,7 @@ bool vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::
   settings.Share = ranks;
   cslf::RadianceCache& cache = *this->Internals->Cache;
   const auto report = [&phase](double share) { return phase.Report(share); };
+  const NeutralScene neutral(*this->Internals->Scene.World, this->Interreflection == Neutral);
   const cslf::CacheCheck check =
     cslf::CheckCache(*this->Internals->Scene.World, cache, picture, settings, report);
   if (check.IsMade())
@@ -214,6 +232,7 @@ bool vtkCSLFPathTracer::FillCache()
 {
   cslf::Phase phase(this, "Filling the radiance cache", CacheProgress);
   cslf::RadianceCache& cache = *this->Internals->Cache;
+  const NeutralScene neutral(*this->Internals->Scene.World, this->Interreflection == Neutral);
   const bool done = cache.Build([&phase](double share) { return phase.Report(share); });
   this->NumberOfCacheRays += cache.GetNumberOfRays();
   return done;

@@ -14,6 +14,7 @@ void IntegratorOptions::AddTo(CLI::App& command)
 {
   const std::string group = "Light transport";
   AddOption(command, options::Integrator, this->Integrator)->group(group);
+  AddOption(command, options::Interreflection, this->Interreflection)->group(group);
   AddOption(command, options::Quality, this->Quality)->group(group);
   AddOption(command, options::Samples, this->Samples)->group(group);
   AddOption(command, options::NoiseTarget, this->NoiseTarget)->group(group);
@@ -29,6 +30,7 @@ void IntegratorOptions::AddTo(CLI::App& command)
 void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
 {
   tracer->SetIntegrator(this->Integrator);
+  tracer->SetInterreflection(this->Interreflection);
   tracer->SetQuality(this->Quality);
   tracer->SetSamples(this->Samples);
   tracer->SetNoiseTarget(this->NoiseTarget);

@@ -40,6 +40,7 @@ public:
 
 private:
   int Integrator;
+  int Interreflection = options::Interreflection.Default;
   int Quality = options::Quality.Default;
   int Samples = options::Samples.Default;
   double NoiseTarget = options::NoiseTarget.Default;

@@ -20,6 +20,7 @@ from .scenes import VIDEOS, connect, missing_file
 
 QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
 COLORS = ("lit", "exact")  # likewise
+INTERREFLECTIONS = ("colored", "neutral")  # likewise
 ALL_ARRAYS = "all"  # instead of names
 USER_ERROR = 40000  # of vtkErrorCode, which VTK does not wrap
 
@@ -167,7 +168,8 @@ def write(sampler, name, crf, progress):
 
 def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
          samples=None, noise_target=None, crf=None, sampler=None, progress=None, color_by=None,
-         color_map=None, color_range=None, light=None, up=None, arrays=None):
+         color_map=None, color_range=None, light=None, up=None, arrays=None,
+         interreflection=None):
     """Bakes a scene as a light field and returns it as a ``LightField``.
 
     ``scene`` is a ``vtkRenderer``, a ``vtkRenderWindow``, a plotter of PyVista, a data set of VTK,
@@ -200,6 +202,10 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     ``arrays`` are names of arrays of points, or ``"all"``, that the field's surfaces keep besides
     the one that colours them, so that ``cslf.show`` can colour by them later.
 
+    ``interreflection`` is ``"colored"`` (default) or ``"neutral"``: whether surfaces with a colour
+    map light each other in their colours, or as a grey of their mean albedo would, which fits all
+    maps that are chosen later.
+
     ``progress`` is whether to draw a progress bar, by default in terminals and notebooks, or a
     function that gets the phase and the share that is done, from 0 to 1. Ctrl-C raises
     ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
@@ -222,9 +228,11 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     quality = None if quality is None else find_name(quality, QUALITIES, "quality")
     colors = None if colors is None else find_name(colors, COLORS, "colors")
     select_arrays(sampler, arrays)
+    if interreflection is not None:
+        interreflection = find_name(interreflection, INTERREFLECTIONS, "interreflection")
     set_parameters(sampler, {"Quality": quality, "Colors": colors, "Viewpoints": viewpoints,
                              "Resolution": resolution, "Samples": samples,
-                             "NoiseTarget": noise_target})
+                             "NoiseTarget": noise_target, "Interreflection": interreflection})
     if file_name is None and crf is not None:
         raise ValueError("crf is for videos, and there is no file name.")
     given = [name for name, value in look_parameters.items() if value is not None]

@@ -388,6 +388,18 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress
 
 Scene::~Scene() = default;
 
+void Scene::SetNeutral(bool isNeutral)
+{
+  for (Mesh& mesh : this->Meshes)
+  {
+    mesh.NeutralAlbedo = -1.0f;
+    if (isNeutral && mesh.FindMap() && !mesh.Material.Unlit)
+    {
+      mesh.NeutralAlbedo = mesh.MeasureAlbedo();
+    }
+  }
+}
+
 Box Scene::GetBounds() const
 {
   RTCBounds bounds;

@@ -80,6 +80,10 @@ public:
 
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
 
+  /// Shows surfaces whose colours a map tells in a grey of their mean albedo, until it is called
+  /// with false.
+  void SetNeutral(bool isNeutral);
+
   /// The box around all surfaces; empty if there are none.
   Box GetBounds() const;
 

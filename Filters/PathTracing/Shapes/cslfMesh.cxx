@@ -5,6 +5,7 @@
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "Pipeline/cslfColorMap.h"
 #include "RandomNumbers/cslfSampling.h"
+#include "cslfColor.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -53,8 +54,8 @@ float Mesh::GetArea(std::uint32_t triangle) const
 
 bool Mesh::HasOneColor() const
 {
-  return (this->Colors.empty() || this->Coloring == ColorsOf::None) && !this->HasInstanceColors &&
-    !this->Textures.BaseColor;
+  return this->NeutralAlbedo < 0.0f && (this->Colors.empty() || this->Coloring == ColorsOf::None) &&
+    !this->HasInstanceColors && !this->Textures.BaseColor;
 }
 
 glm::vec3 Mesh::GetColor(const TrianglePoint& point) const
@@ -110,10 +111,35 @@ glm::vec3 Mesh::GetMapFactor() const
 
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const
 {
+  if (this->NeutralAlbedo >= 0.0f)
+  {
+    return glm::vec3(this->NeutralAlbedo);
+  }
   const glm::vec3 color = this->GetColor(point);
   return this->Textures.BaseColor
     ? color * glm::vec3(this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)))
     : color;
+}
+
+float Mesh::MeasureAlbedo() const
+{
+  glm::dvec3 sum(0.0);
+  double weights = 0.0;
+  const auto count = static_cast<std::uint32_t>(
+    this->HasInstanceColors ? this->Instances.size() : this->GetNumberOfShapes());
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    TrianglePoint point;
+    point.Instance = this->HasInstanceColors ? i : TrianglePoint::None;
+    point.Triangle = this->HasInstanceColors ? 0 : i;
+    point.U = this->Shape == Shapes::Triangles ? 1.0f / 3.0f : 0.5f;
+    point.V = point.U;
+    const double weight =
+      this->Shape == Shapes::Triangles && !this->HasInstanceColors ? this->GetArea(i) : 1.0;
+    sum += weight * glm::dvec3(this->GetBaseColor(point));
+    weights += weight;
+  }
+  return weights > 0.0 ? static_cast<float>(glm::dot(sum / weights, LuminanceWeights)) : 0.0f;
 }
 
 MaterialPoint Mesh::GetMaterialPoint(const TrianglePoint& point) const

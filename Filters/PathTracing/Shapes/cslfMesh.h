@@ -101,6 +101,10 @@ struct VTKCSLF_EXPORT Mesh
   std::vector<SurfaceArray> Arrays; ///< of the vertices, which a geometry keeps
   std::string Appearance;           ///< identifies the material, the textures and the map
 
+  /// A grey that takes the place of the base colours, while it is not negative: see
+  /// Scene::SetNeutral.
+  float NeutralAlbedo = -1.0f;
+
   /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
   /// scene's.
   std::vector<MeshInstance> Instances;
@@ -156,8 +160,8 @@ struct VTKCSLF_EXPORT Mesh
   /// Whether the material alone determines its colour and roughness everywhere.
   bool IsUniform() const
   {
-    return this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
-      !this->Textures.BaseColor && !this->Textures.MetallicRoughness;
+    return this->NeutralAlbedo < 0.0f && this->Coloring == ColorsOf::None &&
+      !this->HasInstanceColors && !this->Textures.BaseColor && !this->Textures.MetallicRoughness;
   }
 
   /// Whether its base colour is that of the material everywhere.
@@ -172,6 +176,9 @@ struct VTKCSLF_EXPORT Mesh
   glm::vec3 GetMapFactor() const;
 
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
+
+  /// The luminance of the mean of the base colours of all shapes or instances.
+  float MeasureAlbedo() const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
 
   /// Whether light passes anywhere through the surface as if it did not exist.
