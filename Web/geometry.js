@@ -57,7 +57,7 @@
  */
 export async function inflate(bytes) {
   const inflater = new /** @type {any} */ (window).DecompressionStream("deflate");
-  const stream = new Blob([bytes]).stream().pipeThrough(inflater);
+  const stream = new Blob([/** @type {any} */ (bytes)]).stream().pipeThrough(inflater);
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

@@ -217,7 +217,10 @@ function makeList(gl, values, channels, internal, format, type) {
   return texture;
 }
 
-/** @param {WebGL2RenderingContext} gl @param {number} target @param {BufferSource} data */
+/**
+ * @param {WebGL2RenderingContext} gl @param {number} target
+ * @param {any} data typed array, whose type newer versions of TypeScript tell in other words
+ */
 function makeBuffer(gl, target, data) {
   const buffer = gl.createBuffer();
   gl.bindBuffer(target, buffer);
