@@ -18,6 +18,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
+#include <vtkDataReader.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFieldData.h>
@@ -462,6 +463,21 @@ bool IsXMLGrid(const std::string& fileName)
   return extension == ".vtp" || extension == ".vtu";
 }
 
+/// Legacy files may have several arrays of a kind, of which their reader takes one unless it is
+/// asked for all.
+void ReadAllArrays(vtkDataReader* reader)
+{
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+}
+
+void ReadAllArrays(vtkXMLReader*) {}
+
 /// Reads a file, or the text that stands for it unless that is empty.
 template <typename Reader>
 Part Read(const std::string& fileName, double mostPoints, double mostBytes,
@@ -471,6 +487,7 @@ Part Read(const std::string& fileName, double mostPoints, double mostBytes,
   {
     vtkNew<Reader> reader;
     reader->SetFileName(fileName.c_str());
+    ReadAllArrays(reader.Get());
     if (!text.empty())
     {
       reader->SetReadFromInputString(true);

@@ -26,6 +26,7 @@ READERS.update({f".{parallel}{kind}": vtkXMLGenericDataObjectReader
 READERS.update({kind: vtkXMLGenericDataObjectReader for kind in (".vtm", ".vtpd", ".vtpc")})
 READERS.update({kind: getattr(vtkCSLF, "vtkCSLFGLTFReader", None) for kind in (".gltf", ".glb")})
 VIDEOS = (".mp4", ".mkv")  # of light fields
+LEGACY_KINDS = ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields")
 
 
 def missing_file(name):
@@ -94,6 +95,9 @@ def read(name):
                          f"{', '.join(sorted([*READERS, '.pvd']))}.")
     reader = reader()
     reader.SetFileName(name)
+    # Legacy files may have several arrays of a kind, of which their reader takes one.
+    for kind in LEGACY_KINDS if isinstance(reader, vtkGenericDataObjectReader) else ():
+        getattr(reader, f"ReadAll{kind}On")()
     with Messages(reader) as messages:
         reader.Update()
     if messages.errors:

@@ -132,6 +132,28 @@ class TestCSLFArrays(unittest.TestCase):
             self.assertGreater(inside.sum(), 500)
             self.assertTrue((values[path]["quadrant"][inside, 0] == numbers[inside]).all())
 
+    @unittest.skipIf(numpy is None, "needs numpy")
+    def test_golden(self):
+        """A file of this version, whose array `Place` is where points are, and `Part` says of what
+        they are: see Testing/Data/Golden/README.md."""
+        decoder = cslf.vtkCSLFDecoder()
+        decoder.SetFileName(os.path.join(ROOT, "Testing/Data/Golden/v2-hevc-geometry-arrays.mp4"))
+        decoder.Update(1)
+        geometry = decoder.GetGeometry()
+        points = geometry.GetPointData()
+        places = vtk_to_numpy(geometry.GetPoints().GetData())
+        array = vtk_to_numpy(points.GetArray("Place"))
+        parts = vtk_to_numpy(points.GetArray("Part"))
+        is_ball = parts > -6.5
+        self.assertGreater(is_ball.sum(), 1000)
+        # Where balls meet, numbers lie between theirs.
+        self.assertTrue(parts.min() == -7.0 and parts.max() == 2.0)
+        self.assertGreater(numpy.isin(parts[is_ball], (0, 1, 2)).mean(), 0.7)
+        # Balls have the values of their centres.
+        self.assertLess(numpy.abs(array - places)[~is_ball].max(), 0.01)
+        distances = numpy.linalg.norm(array - places, axis=1)[is_ball]
+        self.assertTrue(0.1 < distances.min() and distances.max() < 0.21)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -183,6 +183,15 @@ file(WRITE "${DIRECTORY}/pieces.pvd" "<VTKFile type=\"Collection\" version=\"0.1
 cslf_warn(1 "Its active scalars are Heat.\n$" export pieces.pvd -o exported.obj --json)
 expect_json(48 triangles)
 
+# All arrays of a kind in legacy files.
+file(WRITE "${DIRECTORY}/two.vtk" "${legacy}POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0
+POLYGONS 1 5\n4 0 1 2 3\nPOINT_DATA 4\nSCALARS one float 1\nLOOKUP_TABLE default\n0 1 2 3
+SCALARS two float 1\nLOOKUP_TABLE default\n3 2 1 0\nVECTORS three float\n0 0 0 1 0 0 1 1 0 0 1 0
+VECTORS four float\n0 0 0 1 0 0 1 1 0 0 1 0\n")
+foreach (array IN ITEMS one two three:x four:y)
+  cslf_run(trace two.vtk -o two.png --size 8 8 --spp 1 --color-by ${array})
+endforeach ()
+
 # In files of text, NaN among scalars has the grey of the look, and cells of points that are not
 # finite are left out. `value` and `corner` are those of the fourth point.
 function (write_square value corner)
