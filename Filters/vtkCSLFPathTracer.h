@@ -156,7 +156,8 @@ public:
    * arrays. Coloured: that of their colours, as in reality. Neutral: that of a grey of their mean
    * albedo, so that the light of fields does not depend on the map, and also fits the colours that
    * are chosen after the bake; then views differ from path tracing, and so does the certificate of
-   * files. It needs radiance caching. What is seen in mirrors keeps its colours. Default: coloured.
+   * files. It needs radiance caching. Sharp mirrors still show colours, rough reflections that the
+   * cache stores do not. Default: coloured.
    */
   void SetInterreflection(int interreflection);
   vtkGetMacro(Interreflection, int);
