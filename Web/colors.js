@@ -22,7 +22,7 @@ export function nameOf(map) {
 }
 
 /**
- * What lies at the value 0 of a logarithmic range.
+ * The value, or its logarithm on a logarithmic map.
  * @param {ColorMap} map @param {number} value
  */
 function toScale(map, value) {

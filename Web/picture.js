@@ -3,7 +3,7 @@
 // The picture of a view: a still one becomes the mean light of several pictures whose rays go
 // through different places of the pixels, as Rendering/Shaders/cslfMeanFS.glsl has it.
 
-import { makeProgram } from "./surfaces.js";
+import { Encoding, makeProgram } from "./surfaces.js";
 
 const StillPictures = 20;
 const SetShiftX = 0.2;
@@ -34,14 +34,13 @@ uniform vec2 scale;
 uniform float pictures; // in the sum
 uniform vec3 background;
 out vec4 shown;
+${Encoding}
 void main()
 {
   vec4 sum = textureLod(image, gl_FragCoord.xy * scale, 0.0);
   float alpha = sum.a / max(pictures, 1.0);
   vec3 linear = clamp(sum.rgb / max(sum.a, 0.001), 0.0, 1.0);
-  vec3 encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055,
-    step(vec3(0.0031308), linear));
-  shown = vec4(mix(background, encoded, alpha), 1.0);
+  shown = vec4(mix(background, RayFromLinear(linear), alpha), 1.0);
 }`;
 
 /**

@@ -13,7 +13,7 @@ import { indexOf, listPlaces } from "./colors.js";
 const RowBits = 12; // a row of images has 4096 texels, which all devices allow
 
 // Rendering/Shaders/cslfEncoding.glsl.
-const Encoding = `@cslfEncoding@`;
+export const Encoding = `@cslfEncoding@`;
 
 // Groups of fewer bodies, or larger meshes, are drawn as triangles.
 const MinimumBalls = 32;

@@ -255,7 +255,8 @@ void AddExport(CLI::App& app, Command& chosen)
       "the page's title, or the name of the root node of glTF (default: the file's name)")
     ->type_name("TEXT");
   command->add_flag("--compact", options->IsCompact,
-    "compress glTF some four times, by an extension that three.js and model-viewer know, and VTK "
+    "compress glTF three to five times, by an extension that three.js and model-viewer know, and "
+    "VTK "
     "and f3d do not");
   options->Colors.AddColorsTo(*command);
   options->Camera.AddTo(*command);

@@ -52,7 +52,7 @@ public:
   ///@{
   /**
    * Whether to compress the file, by EXT_meshopt_compression and positions of 16 bits
-   * (KHR_mesh_quantization): some four times. three.js and model-viewer read such files, VTK 9.1
+   * (KHR_mesh_quantization): three to five times. three.js and model-viewer read such files, VTK 9.1
    * and f3d 1.3 do not. Default: off.
    */
   vtkSetMacro(Compact, bool);

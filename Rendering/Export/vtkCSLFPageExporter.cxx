@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPageExporter.h"
 
+#include "Coding/Containers/cslfFileParts.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfGeometryArrays.h"
@@ -13,7 +14,6 @@
 #include "cslfShownField.h"
 
 #include <vtkActor.h>
-#include <vtkBase64Utilities.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkImageResize.h>
@@ -65,12 +65,7 @@ std::string Deflate(const std::string& bytes)
 
 std::string EncodeBase64(const std::string& bytes)
 {
-  std::string text((bytes.size() + 2) / 3 * 4, '\0');
-  const std::size_t size =
-    vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
-      static_cast<unsigned long>(bytes.size()), reinterpret_cast<unsigned char*>(text.data()));
-  text.resize(size);
-  return text;
+  return cslf::ToBase64(bytes.data(), bytes.size());
 }
 
 std::string EscapeHTML(const std::string& text)
