@@ -115,7 +115,7 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/Parallel SceneGather)
   cslf_add(Filters/PathTracing/Geometry
-    GeometryMaker SceneArrays SeenPlaces ShapeGroups SurfaceLight Tessellation)
+    GeometryMaker SceneArrays SeenPlaces ShapeGroups SurfaceLight SurfaceRegions Tessellation)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials

@@ -350,7 +350,7 @@ void vtkCSLFSampler::WarnOfArrays()
   {
     vtkWarningMacro("The geometry is without these arrays: "
       << missing
-      << ". Only point data of opaque surfaces that look the same from all directions is kept, and "
+      << ". Only data of opaque surfaces that look the same from all directions is kept, and "
          "only beside one colour or a colour map.");
   }
 }

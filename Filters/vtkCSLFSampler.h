@@ -192,10 +192,10 @@ public:
   vtkDataArraySelection* GetChannelSelection();
 
   /**
-   * The arrays of point data, by name, that the geometry keeps besides what gave its surfaces their
-   * colours, so that vtkCSLFMapper can show them later: numbers of one or more components. They
-   * cost some bytes of the file, and triangles where they vary. Surfaces of one colour get light
-   * apart from it. Arrays that are not listed are kept if SetUnknownArraySetting(1) says so.
+   * The arrays of points and cells, by name, that the geometry keeps besides what gave its surfaces
+   * their colours, so that vtkCSLFMapper can show them later: numbers of one or more components.
+   * They cost some bytes of the file, and triangles where they vary. Surfaces of one colour get
+   * light apart from it. Arrays that are not listed are kept if SetUnknownArraySetting(1) says so.
    * Surfaces that do not look the same from all directions have none. Default: none.
    */
   vtkDataArraySelection* GetSurfaceArraySelection();

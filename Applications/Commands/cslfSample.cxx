@@ -420,8 +420,8 @@ void AddField(CLI::App& command, Options& options)
   AddOption(command, cslf::options::GeometryTriangles, options.GeometryTriangles)->group(field);
   command
     .add_option("--arrays", options.Arrays,
-      "arrays of points that the field's surfaces keep besides the one that colours them, so that "
-      "they can be coloured by these later; all: all arrays of points (default: none)")
+      "arrays of points or cells that the field's surfaces keep besides the one that colours them, "
+      "so that they can be coloured by these later; all: all arrays (default: none)")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")

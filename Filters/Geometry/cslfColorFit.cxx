@@ -79,7 +79,7 @@ std::vector<std::size_t> ColorFit::ListNew() const
   return triangles;
 }
 
-// Triangles that meet at an edge share its colours unless there is a crease or another body.
+// Triangles that meet at an edge share its colours unless there is a crease or another region.
 void ColorFit::JoinCorners()
 {
   const std::vector<glm::uvec3>& triangles = this->Surface.Triangles;
@@ -132,7 +132,7 @@ void ColorFit::JoinCorners()
       // Those without area or samples join nothing, lest they join what does not belong together.
       const bool isFlat = !this->Settings.HasCreases || (one.IsRound && other.IsRound) ||
         glm::dot(one.Normal, other.Normal) > CreaseCosine;
-      if (isFlat && one.Body == other.Body && one.Area > 0.0f && other.Area > 0.0f)
+      if (isFlat && one.Region == other.Region && one.Area > 0.0f && other.Area > 0.0f)
       {
         for (const auto point : { static_cast<unsigned int>(uses[i].Edge),
                static_cast<unsigned int>(uses[i].Edge >> 32) })
@@ -427,7 +427,7 @@ void ColorFit::ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned i
   struct Around
   {
     glm::vec3 Normal{ 0.0f };
-    std::uint32_t Body = TriangleSamples::None;
+    std::uint32_t Region = TriangleSamples::None;
     int Triangles = 0;
     bool IsSmooth = true;
   };
@@ -442,11 +442,11 @@ void ColorFit::ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned i
       if (found != middles.end())
       {
         Around& own = around[found->second];
-        own.IsSmooth = own.IsSmooth && samples.Body != TriangleSamples::None &&
+        own.IsSmooth = own.IsSmooth && samples.Region != TriangleSamples::None &&
           (own.Triangles == 0 ||
-            (own.Body == samples.Body && glm::dot(own.Normal, samples.Normal) > CreaseCosine));
+            (own.Region == samples.Region && glm::dot(own.Normal, samples.Normal) > CreaseCosine));
         own.Normal += samples.Normal;
-        own.Body = samples.Body;
+        own.Region = samples.Region;
         ++own.Triangles;
       }
     }
@@ -456,7 +456,7 @@ void ColorFit::ProjectMiddles(const std::unordered_map<std::uint64_t, unsigned i
     if (own.IsSmooth && own.Triangles == 2)
     {
       glm::vec3& place = this->Surface.Points[point];
-      place = this->Settings.Project(place, glm::normalize(own.Normal), own.Body);
+      place = this->Settings.Project(place, glm::normalize(own.Normal), own.Region);
     }
   }
 }
@@ -618,7 +618,7 @@ std::array<std::vector<unsigned char>, 2> ColorFit::FindExactCodes() const
   return codes;
 }
 
-// The map of each value, whose triangles all belong to one body.
+// The map of each value, whose triangles all belong to one region.
 std::vector<std::uint8_t> ColorFit::FindMaps() const
 {
   std::vector<std::uint8_t> maps(this->Places.size(), 0);

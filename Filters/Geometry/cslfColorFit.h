@@ -131,7 +131,7 @@ struct TriangleSamples
   float MaximumLight = 0.0f; ///< of the samples
   float BaseSquare = 1.0f;   ///< the mean square of its colours under white light, if it has a map
   bool IsRound = false;      ///< whether what it belongs to has no creases
-  std::uint32_t Body = None; ///< what it belongs to
+  std::uint32_t Region = None; ///< of the scene, to which it belongs
 };
 
 struct ColorFitSettings
@@ -147,9 +147,9 @@ struct ColorFitSettings
   double ArrayTolerance = 0.0; ///< the same for values of arrays
   std::size_t MaximumTriangles = 0;
 
-  /// Moves a point of a surface that it belongs to onto that. Given its normal and what it belongs
-  /// to; may be empty.
-  std::function<glm::vec3(const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)>
+  /// Moves a point of a surface onto the region to which it belongs, given its normal; may be
+  /// empty.
+  std::function<glm::vec3(const glm::vec3& point, const glm::vec3& normal, std::uint32_t region)>
     Project;
 };
 
@@ -165,7 +165,7 @@ struct FittedValues
  * Bargteil, Sloan 2011): colours that are interpolated linearly come as close to the samples as
  * they can. Triangles that err by more than the tolerance are divided at their longest edge, those
  * with the largest errors first. Triangles do not share the colour of a corner where there is a
- * crease between them, or if they belong to different bodies.
+ * crease between them, or if they belong to different regions.
  *
  * Call SetSamples for all triangles of ListNew, then Solve, then Refine, and again until Refine
  * returns false; at last Finish.

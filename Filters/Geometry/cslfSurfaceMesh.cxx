@@ -38,6 +38,31 @@ void DropFlat(SurfaceMesh& mesh)
     mesh.Triangles.end());
 }
 
+template <typename Value>
+void Renumber(
+  const std::vector<unsigned int>& numbers, std::size_t count, std::vector<Value>& values)
+{
+  std::vector<Value> moved(count);
+  meshopt_remapVertexBuffer(
+    moved.data(), values.data(), values.size(), sizeof(Value), numbers.data());
+  values = std::move(moved);
+}
+
+/// Gives points new numbers, of which there are `count`.
+void Renumber(const std::vector<unsigned int>& numbers, std::size_t count, SurfaceMesh& mesh)
+{
+  if (!mesh.Triangles.empty())
+  {
+    meshopt_remapIndexBuffer(&mesh.Triangles.front().x, &mesh.Triangles.front().x,
+      3 * mesh.Triangles.size(), numbers.data());
+  }
+  if (!mesh.Regions.empty())
+  {
+    Renumber(numbers, count, mesh.Regions);
+  }
+  Renumber(numbers, count, mesh.Points);
+}
+
 /// A pass of one of meshoptimizer's functions, which have the same arguments.
 template <typename Pass>
 void Run(SurfaceMesh& mesh, const Pass& pass)
@@ -73,6 +98,8 @@ void Append(const InstanceGroup& group, SurfaceMesh& mesh)
     {
       mesh.Points.push_back(placement.Linear * point + placement.Offset);
     }
+    mesh.Regions.insert(
+      mesh.Regions.end(), group.Prototype.Regions.begin(), group.Prototype.Regions.end());
     for (const glm::uvec3& corners : group.Prototype.Triangles)
     {
       const glm::uvec3 moved = first + corners;
@@ -96,13 +123,12 @@ void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh)
 
 void DropUnused(SurfaceMesh& mesh)
 {
-  std::vector<glm::vec3> points(mesh.Points.size());
+  std::vector<unsigned int> numbers(mesh.Points.size());
   const std::size_t count = mesh.Triangles.empty()
     ? 0
-    : meshopt_optimizeVertexFetch(points.data(), &mesh.Triangles.front().x,
-        3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
-  points.resize(count);
-  mesh.Points = std::move(points);
+    : meshopt_optimizeVertexFetchRemap(
+        numbers.data(), &mesh.Triangles.front().x, 3 * mesh.Triangles.size(), mesh.Points.size());
+  Renumber(numbers, count, mesh);
 }
 
 void Weld(SurfaceMesh& mesh)
@@ -110,19 +136,27 @@ void Weld(SurfaceMesh& mesh)
   if (mesh.Triangles.empty())
   {
     mesh.Points.clear();
+    mesh.Regions.clear();
     return;
   }
   std::vector<unsigned int> numbers(mesh.Points.size());
-  const std::size_t count = meshopt_generateVertexRemap(numbers.data(), &mesh.Triangles.front().x,
-    3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
-  meshopt_remapIndexBuffer(&mesh.Triangles.front().x, &mesh.Triangles.front().x,
-    3 * mesh.Triangles.size(), numbers.data());
-  std::vector<glm::vec3> points(count);
-  meshopt_remapVertexBuffer(
-    points.data(), mesh.Points.data(), mesh.Points.size(), Stride, numbers.data());
-  mesh.Points = std::move(points);
+  const meshopt_Stream streams[] = { { mesh.Points.data(), Stride, Stride },
+    { mesh.Regions.data(), sizeof(std::uint32_t), sizeof(std::uint32_t) } };
+  const std::size_t count =
+    meshopt_generateVertexRemapMulti(numbers.data(), &mesh.Triangles.front().x,
+      3 * mesh.Triangles.size(), mesh.Points.size(), streams, mesh.Regions.empty() ? 1 : 2);
+  Renumber(numbers, count, mesh);
   DropFlat(mesh);
   DropUnused(mesh);
+}
+
+std::vector<std::uint32_t> NumberPlaces(const std::vector<glm::vec3>& points, std::size_t& count)
+{
+  std::vector<unsigned int> numbers(points.size());
+  count = points.empty() ? 0
+                         : meshopt_generateVertexRemap(numbers.data(), nullptr, points.size(),
+                             points.data(), points.size(), Stride);
+  return numbers;
 }
 
 void Simplify(SurfaceMesh& mesh, float tolerance)

@@ -25,6 +25,9 @@ struct SurfaceMesh
 {
   std::vector<glm::vec3> Points;
   std::vector<glm::uvec3> Triangles;
+  /// Of each point, or none at all. Points of different regions are not joined, so that their
+  /// borders stay where they are.
+  std::vector<std::uint32_t> Regions;
 };
 
 /// Bodies that are one mesh at several places.
@@ -44,7 +47,8 @@ struct InstanceGroup
 };
 
 /// Adds the bodies of a group, in their order. Each has the points and triangles of the prototype,
-/// in their order; a mirrored one with the last two corners of each triangle exchanged.
+/// in their order; a mirrored one with the last two corners of each triangle exchanged. All have
+/// regions, or none.
 VTKCSLF_EXPORT void Append(const InstanceGroup& group, SurfaceMesh& mesh);
 
 /// Removes the triangles that are marked by 0.
@@ -53,8 +57,13 @@ VTKCSLF_EXPORT void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh);
 /// Keeps the points that triangles use, in their order of use.
 VTKCSLF_EXPORT void DropUnused(SurfaceMesh& mesh);
 
-/// Joins points at the same place, and drops triangles without area and points without triangle.
+/// Joins points of a region at the same place, and drops triangles without area and points without
+/// triangle.
 VTKCSLF_EXPORT void Weld(SurfaceMesh& mesh);
+
+/// The numbers of the places of points, from 0: those at the same place have the same.
+VTKCSLF_EXPORT std::vector<std::uint32_t> NumberPlaces(
+  const std::vector<glm::vec3>& points, std::size_t& count);
 
 /// Removes as many triangles as it can without moving the surface by more than about `tolerance`.
 /// The mesh must be welded.

@@ -302,7 +302,8 @@ private:
       this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
-    this->CopyKeptArrays(surface, block);
+    this->CopyKeptArrays(surface->GetPointData(), block->GetPointData());
+    this->CopyKeptArrays(surface->GetCellData(), block->GetCellData());
     TransformTCoords(this->Actor, block);
     // The data's own material takes precedence over the property.
     this->Scene.Materials.FindUnused(leaf);
@@ -314,16 +315,15 @@ private:
   }
 
   /// Keeps arrays that the mapper does not show. None takes the place of what there is.
-  void CopyKeptArrays(vtkPolyData* from, vtkPolyData* block) const
+  void CopyKeptArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* block) const
   {
-    vtkPointData* data = from->GetPointData();
-    for (int i = 0; i < data->GetNumberOfArrays() && this->Scene.KeepsArray; ++i)
+    for (int i = 0; i < from->GetNumberOfArrays() && this->Scene.KeepsArray; ++i)
     {
-      vtkDataArray* array = data->GetArray(i);
+      vtkDataArray* array = from->GetArray(i);
       const char* name = array ? array->GetName() : nullptr;
-      if (name && !block->GetPointData()->HasArray(name) && this->Scene.KeepsArray(name))
+      if (name && !block->HasArray(name) && this->Scene.KeepsArray(name))
       {
-        block->GetPointData()->AddArray(array);
+        block->AddArray(array);
       }
     }
   }
@@ -447,15 +447,15 @@ private:
     if (mapped.Colors)
     {
       mapped.Colors->SetName("Colors");
-      if (mapped.Scalars)
-      {
-        block->GetPointData()->AddArray(mapped.Scalars);
-        AddColorMaps({ mapped.ColorsOfScalars }, block);
-      }
       vtkDataSetAttributes* attributes = block->GetPointData();
       if (mapped.OfCells)
       {
         attributes = block->GetCellData();
+      }
+      if (mapped.Scalars)
+      {
+        attributes->AddArray(mapped.Scalars);
+        AddColorMaps({ mapped.ColorsOfScalars }, block);
       }
       attributes->SetScalars(mapped.Colors);
     }

@@ -150,7 +150,7 @@ std::string DescribeTable(vtkScalarsToColors* table, vtkDataArray* array, int st
   return DescribeColorMap(map);
 }
 
-/// The scalars of points that a table maps, and the map.
+/// The scalars that a table maps, and the map.
 void AddScalars(vtkScalarsToColors* table, vtkDataArray* array, MappedScalars& mapped)
 {
   const int components = array->GetNumberOfComponents();
@@ -256,8 +256,7 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, Imp
   {
     mapped.Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
     mapped.Colors->ShallowCopy(colors);
-    if (!mapped.OfCells && scalars && scalars->GetNumberOfTuples() == expected &&
-      !AreDirect(mapper, scalars))
+    if (scalars && scalars->GetNumberOfTuples() == expected && !AreDirect(mapper, scalars))
     {
       AddScalars(copy->GetLookupTable(), scalars, mapped);
     }

@@ -39,7 +39,7 @@ struct MappedScalars
   vtkSmartPointer<vtkFloatArray> Coordinates;
   std::string Map; ///< says what the table maps: see DescribeColorMap
 
-  /// The scalars of points that a map gave their colours, if it is one that interpolated scalars
+  /// The scalars that a map gave the colours, if it is one that interpolated scalars
   /// may be shown in.
   vtkSmartPointer<vtkDoubleArray> Scalars;
   ColorMap ColorsOfScalars;

@@ -289,8 +289,9 @@ struct Scale
 
 /// The surface of meshes that the viewpoints see, with few enough triangles. Coarser shapes may
 /// lose less than a further reduction of fine ones.
-Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& seen,
-  const SeenPlaces& nearlySeen, std::size_t most, const Scale& scale, const Progress& progress)
+Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SurfaceRegions& regions,
+  const SeenPlaces& seen, const SeenPlaces& nearlySeen, std::size_t most, const Scale& scale,
+  const Progress& progress)
 {
   const double texel = scale.Texel;
   int coarseness = 0;
@@ -308,8 +309,9 @@ Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& s
   for (int round = 0; isBetter && round < rounds; ++round, ++coarseness)
   {
     const Progress step = InPart(progress, round, rounds);
-    SurfaceMesh surface = Tessellate(meshes, { scale.Tolerance, coarseness, MaximumTessellated },
-      Within(step, 0.0, TessellatedShare));
+    SurfaceMesh surface =
+      Tessellate(meshes, { scale.Tolerance, coarseness, MaximumTessellated, &regions },
+        Within(step, 0.0, TessellatedShare));
     const std::size_t count = surface.Triangles.size();
     if (count >= std::exchange(previous, count))
     {
@@ -327,6 +329,8 @@ Geometry FindSurface(const std::vector<const Mesh*>& meshes, const SeenPlaces& s
     const bool isEnough = surface.Triangles.size() <= most;
     if (!isEnough)
     {
+      // With borders that stay, too little could be removed.
+      surface.Regions.clear();
       seen.KeepSeen(surface, Within(step, SimplifiedShare, SimplifiedShare));
       ChangeApart(surface, Within(step, SimplifiedShare, SimplifiedShare), Weld);
     }
@@ -513,10 +517,11 @@ try
   ShapeGroups groups =
     FindShapeGroups(scene, nearlySeen, { static_cast<float>(texel), scale.Tolerance, most }, none);
   Geometry geometry;
+  const SurfaceRegions regions(scene.GetMeshes(), static_cast<float>(texel), none);
   if (!groups.Others.empty())
   {
-    geometry = FindSurface(groups.Others, seen, nearlySeen, settings.MaximumTriangles, scale,
-      Within(progress, LookShare, SurfaceShare));
+    geometry = FindSurface(groups.Others, regions, seen, nearlySeen, settings.MaximumTriangles,
+      scale, Within(progress, LookShare, SurfaceShare));
   }
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();
@@ -527,11 +532,14 @@ try
   ChangeApart(geometry.Surface, Within(progress, SurfaceShare, SortedShare),
     [longest = LongestTexels * texel, most = settings.MaximumTriangles](SurfaceMesh& changed)
     {
+      changed.Regions.clear();
+      Weld(changed);
       Subdivide(changed, longest, most);
       Weld(changed);
       SortForDrawing(changed);
     });
   SurfaceLightSettings lighting;
+  lighting.Regions = &regions;
   lighting.Texel = static_cast<float>(texel);
   lighting.Exposure = settings.Exposure;
   lighting.ClampsColors = settings.ClampsColors;

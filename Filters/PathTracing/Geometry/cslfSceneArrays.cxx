@@ -65,9 +65,9 @@ SceneArrays::SceneArrays(const Scene& scene, const std::vector<std::uint8_t>& ma
 
 void SceneArrays::Add(const Mesh& mesh, std::size_t number)
 {
-  for (std::size_t i = 0; i < mesh.Arrays.size(); ++i)
+  for (std::size_t i = 0; i < mesh.GetNumberOfArrays(); ++i)
   {
-    const SurfaceArray& array = mesh.Arrays[i];
+    const SurfaceArray& array = mesh.GetArray(i);
     auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
       [&array](const Entry& entry) { return entry.Name == array.Name; });
     if (found == this->Entries.end())
@@ -117,8 +117,7 @@ void SceneArrays::Get(
     bool isKnown = number >= 0;
     for (std::size_t c = 0; isKnown && c < entry.Components.size(); ++c)
     {
-      const double value =
-        own.Interpolate(own.Arrays[static_cast<std::size_t>(number)].Components[c].Values, point);
+      const double value = own.GetArrayValue(static_cast<std::size_t>(number), c, point);
       const auto& [first, last] = entry.Ranges[c];
       const std::size_t place = entry.First + c;
       isKnown = !std::isnan(value);

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -58,6 +59,9 @@ constexpr double ArrayTolerance = 0.0015;
 
 /// More maps tell no colours: files number them by a byte.
 constexpr std::size_t MaximumMaps = 254;
+
+/// How far borders of regions may have moved, in texels: about as far as surfaces.
+constexpr float MaximumStray = 0.2f;
 
 /// How far points that divide edges may move to lie on the surface, in texels.
 constexpr float MaximumShift = 0.25f;
@@ -135,6 +139,12 @@ std::array<Aim, 2> AimAtSides(const Scene& scene, const glm::vec3& point, const 
   return aims;
 }
 
+/// The region of what a ray hits.
+std::uint32_t FindRegion(const Scene& scene, const SurfaceRegions& regions, const Hit& hit)
+{
+  return regions.Get(scene.GetMeshes()[hit.Mesh], hit.GetPlace().Triangle);
+}
+
 /// Whether one of several rays from where an aim begins, away from the surface, meets nothing.
 bool IsSeen(const Scene& scene, const Ray& aim)
 {
@@ -151,9 +161,10 @@ bool IsSeen(const Scene& scene, const Ray& aim)
   return false;
 }
 
-/// Moves a point along its normal onto a mesh of the scene, if that is not further away than that.
-glm::vec3 ProjectOnto(const Scene& scene, const glm::vec3& point, const glm::vec3& normal,
-  float furthest, std::uint32_t mesh)
+/// Moves a point along its normal onto a region of the scene's surfaces, if that is not further
+/// away than that.
+glm::vec3 ProjectOnto(const Scene& scene, const SurfaceRegions& regions, const glm::vec3& point,
+  const glm::vec3& normal, float furthest, std::uint32_t region)
 {
   glm::vec3 nearest = point;
   float least = furthest;
@@ -161,7 +172,8 @@ glm::vec3 ProjectOnto(const Scene& scene, const glm::vec3& point, const glm::vec
   {
     const Ray ray{ point + side * furthest * normal, -side * normal };
     const Hit hit = scene.Intersect(ray);
-    if (hit.IsValid() && hit.Mesh == mesh && std::abs(hit.Distance - furthest) < least)
+    if (hit.IsValid() && FindRegion(scene, regions, hit) == region &&
+      std::abs(hit.Distance - furthest) < least)
     {
       least = std::abs(hit.Distance - furthest);
       nearest = ray.Origin + hit.Distance * ray.Direction;
@@ -223,6 +235,25 @@ struct SampledPoint
   double Brightness = 1.0;  ///< how much brighter the surface is than the colour
   glm::vec3 Place{ 0.0f };  ///< on the map
 };
+
+/// Whether a triangle's samples in other regions than its own are so few that its border has only
+/// moved: on each side they fill less than `most` square texels, or are one.
+bool AreStray(const std::vector<std::array<std::uint32_t, 2>>& regions,
+  const TriangleSamples& samples, float most)
+{
+  const float area = samples.Area / static_cast<float>(regions.size());
+  for (const int side : { 0, 1 })
+  {
+    const auto others = std::count_if(regions.begin(), regions.end(),
+      [&](const std::array<std::uint32_t, 2>& found)
+      { return found[side] != TriangleSamples::None && found[side] != samples.Region; });
+    if (others > 1 && static_cast<float>(others) * area > most)
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// Samples triangles of a surface.
 class LightSampler
@@ -383,6 +414,8 @@ TriangleSamples LightSampler::Sample(
     static_cast<float>(MinimumSamples), static_cast<float>(MaximumSamples)));
   std::vector<glm::vec3> places;
   std::vector<std::array<Aim, 2>> aims;
+  std::vector<std::array<std::uint32_t, 2>> regions(count);
+  std::uint32_t body = 0; // the mesh of the region
   int votes = 0;
   for (int i = 0; i < count; ++i)
   {
@@ -398,18 +431,27 @@ TriangleSamples LightSampler::Sample(
     places.push_back(place);
     aims.push_back(AimAtSides(this->World, place.x * a + place.y * b + place.z * c, samples.Normal,
       this->Settings.KeepsMesh ? NearShare * furthest : furthest, furthest));
-    for (const Aim& aim : aims.back())
+    for (const int side : { 0, 1 })
     {
+      const Aim& aim = aims.back()[side];
+      std::uint32_t& region = regions[i][side];
+      region = TriangleSamples::None;
       if (aim.IsMet)
       {
-        samples.Body = votes == 0 ? aim.Target.Mesh : samples.Body;
-        samples.IsRound = this->World.GetMeshes()[samples.Body].Shape != Mesh::Shapes::Triangles;
-        votes += samples.Body == aim.Target.Mesh ? 1 : -1;
+        region = FindRegion(this->World, *this->Settings.Regions, aim.Target);
+        body = votes == 0 ? aim.Target.Mesh : body;
+        samples.Region = votes == 0 ? region : samples.Region;
+        votes += samples.Region == region ? 1 : -1;
       }
     }
   }
-  samples.Map = this->FindMap(source ? *source : samples.Body);
+  const bool hasRegion = samples.Region != TriangleSamples::None;
+  samples.IsRound = hasRegion && this->World.GetMeshes()[body].Shape != Mesh::Shapes::Triangles;
+  samples.Map = source ? this->FindMap(*source) : hasRegion ? this->FindMap(body) : 0;
   samples.PlaceTolerance = samples.Map > 0 ? this->Maps.Tolerances[samples.Map - 1] : 0.0f;
+  const float edges = glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a);
+  const bool dropsOthers = !this->Settings.KeepsMesh &&
+    AreStray(regions, samples, MaximumStray * edges / this->Settings.Texel);
   SampleSums details[2];
   double brightness[2] = {};
   float baseSquare = 0.0f;
@@ -420,8 +462,10 @@ TriangleSamples LightSampler::Sample(
     {
       const Aim& aim = aims[i][side];
       SampledPoint point = this->FindPoint(aim);
-      // Light and colours do not mix.
-      if (aim.IsMet && this->FindMap(aim.Target.Mesh) != samples.Map)
+      // Light and colours do not mix, nor do regions of a mesh whose border is the triangle's.
+      if (aim.IsMet &&
+        (this->FindMap(aim.Target.Mesh) != samples.Map ||
+          (dropsOthers && aim.Target.Mesh == body && regions[i][side] != samples.Region)))
       {
         point.Is = SampledPoint::Light::Missing;
       }
@@ -477,8 +521,11 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
     arrays = SceneArrays(scene, maps.Numbers);
   }
   const LightSampler sampler(scene, light, settings, maps, arrays);
-  const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t body)
-  { return ProjectOnto(scene, point, normal, MaximumShift * settings.Texel, body); };
+  const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t region)
+  {
+    return ProjectOnto(
+      scene, *settings.Regions, point, normal, MaximumShift * settings.Texel, region);
+  };
   ColorFit fit(mesh,
     { ShortestTexels * settings.Texel, ShortestArrayTexels * settings.Texel, settings.ClampsColors,
       settings.HasCreases, settings.KeepsMesh, settings.Tolerance,

@@ -16,6 +16,7 @@
 #include "PathTracing/Rays/cslfRayGrid.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "Pipeline/cslfPhase.h"
+#include "cslfSurfaceRegions.h"
 
 #include <array>
 #include <cstddef>
@@ -37,12 +38,13 @@ using SurfaceSides = std::array<SurfaceSide, 2>;
 
 struct SurfaceLightSettings
 {
-  float Texel = 0.0f;       ///< at the cube's centre, in scene space
-  double Exposure = 1.0;    ///< the colours are those of radiance times this
-  bool ClampsColors = true; ///< whether colours end at white
-  bool HasCreases = true;   ///< whether the mesh is so fine that its creases are the scene's
-  bool KeepsMesh = false;   ///< whether its triangles and points stay as they are
-  double Tolerance = 0.0;   ///< the RMS error of a triangle's colours that is small enough
+  const SurfaceRegions* Regions = nullptr; ///< of the scene
+  float Texel = 0.0f;                      ///< at the cube's centre, in scene space
+  double Exposure = 1.0;                   ///< the colours are those of radiance times this
+  bool ClampsColors = true;                ///< whether colours end at white
+  bool HasCreases = true; ///< whether the mesh is so fine that its creases are the scene's
+  bool KeepsMesh = false; ///< whether its triangles and points stay as they are
+  double Tolerance = 0.0; ///< the RMS error of a triangle's colours that is small enough
   std::size_t MaximumTriangles = 0;
   std::vector<std::uint32_t> Sources; ///< of kept triangles, the mesh to which each belongs
 };

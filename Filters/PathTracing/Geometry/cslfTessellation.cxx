@@ -141,10 +141,32 @@ void AddTube(const Mesh& mesh, std::uint32_t shape, float tolerance, SurfaceMesh
   AddTube(tube, tolerance, result);
 }
 
+/// Adds a triangle with points of its own.
+void AddTriangle(const Mesh& mesh, std::uint32_t shape, std::uint32_t region, SurfaceMesh& result)
+{
+  const auto first = static_cast<std::uint32_t>(result.Points.size());
+  result.Triangles.push_back(first + glm::uvec3(0, 1, 2));
+  for (int i = 0; i < 3; ++i)
+  {
+    result.Points.push_back(mesh.Vertices[mesh.Triangles[shape][i]]);
+    result.Regions.push_back(region);
+  }
+}
+
+/// How far spheres and tubes may be from their triangles.
+float GetRoundTolerance(const TessellationSettings& settings)
+{
+  return settings.Tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
+}
+
 /// The opaque shapes of a mesh without its instances, in its own space.
-SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& progress)
+SurfaceMesh TessellateOne(
+  const Mesh& mesh, float scale, const TessellationSettings& settings, const Progress& progress)
 {
   SurfaceMesh result;
+  const float tolerance = GetRoundTolerance(settings) / scale;
+  const SurfaceRegions* regions = settings.Regions;
+  const bool isDivided = regions && regions->HasSeveral(mesh);
   const std::size_t shapes = mesh.GetNumberOfShapes();
   const auto report = [&](std::size_t shape)
   {
@@ -153,7 +175,7 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& pro
       OrAbort(progress)(static_cast<double>(shape) / static_cast<double>(shapes));
     }
   };
-  if (mesh.Shape == Mesh::Shapes::Triangles)
+  if (mesh.Shape == Mesh::Shapes::Triangles && !isDivided)
   {
     result.Points = mesh.Vertices;
   }
@@ -167,6 +189,11 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& pro
     switch (mesh.Shape)
     {
       case Mesh::Shapes::Triangles:
+        if (isDivided)
+        {
+          AddTriangle(mesh, shape, regions->Get(mesh, shape), result);
+          break;
+        }
         result.Triangles.push_back(mesh.Triangles[shape]);
         break;
       case Mesh::Shapes::Spheres:
@@ -177,14 +204,12 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& pro
         break;
     }
   }
+  if (regions && !isDivided)
+  {
+    result.Regions.assign(result.Points.size(), regions->Get(mesh, 0));
+  }
   ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
-}
-
-/// How far spheres and tubes may be from their triangles.
-float GetRoundTolerance(const TessellationSettings& settings)
-{
-  return settings.Tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
 }
 }
 
@@ -212,7 +237,7 @@ InstanceGroup TessellateInstances(
   }
   const float tolerance = settings.Tolerance;
   SurfaceMesh& part = group.Prototype;
-  part = TessellateOne(mesh, GetRoundTolerance(settings) / scale, progress);
+  part = TessellateOne(mesh, scale, settings, progress);
   if (part.Triangles.empty())
   {
     return group;
@@ -286,7 +311,7 @@ SurfaceMesh Tessellate(const std::vector<const Mesh*>& meshes, const Tessellatio
       continue;
     }
     InstanceGroup one;
-    one.Prototype = TessellateOne(*meshes[i], GetRoundTolerance(settings), step);
+    one.Prototype = TessellateOne(*meshes[i], 1.0f, settings, step);
     one.Placements.emplace_back();
     Append(one, result);
   }

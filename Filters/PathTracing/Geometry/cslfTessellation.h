@@ -12,6 +12,7 @@
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "Pipeline/cslfPhase.h"
+#include "cslfSurfaceRegions.h"
 
 #include <cstddef>
 #include <vector>
@@ -29,6 +30,9 @@ struct TessellationSettings
 
   /// The most triangles of all instances of a mesh, as far as possible.
   std::size_t MaximumTriangles = 0;
+
+  /// Those of the meshes, which points get; or null for none.
+  const SurfaceRegions* Regions = nullptr;
 };
 
 /// About how many triangles a tessellation of that coarseness has at least.
@@ -47,7 +51,8 @@ float FindLargestScale(const Mesh& mesh);
 InstanceGroup TessellateInstances(
   const Mesh& mesh, const TessellationSettings& settings, const Progress& progress);
 
-/// Triangles of the opaque shapes of all opaque instances and other meshes, welded. Throws Aborted.
+/// Triangles of the opaque shapes of all opaque instances and other meshes, welded. A mesh that is
+/// divided into regions has points of its own for each. Throws Aborted.
 VTKCSLF_EXPORT SurfaceMesh Tessellate(const std::vector<const Mesh*>& meshes,
   const TessellationSettings& settings, const Progress& progress);
 }

@@ -33,10 +33,10 @@ Kind GetKind(const Mesh& mesh)
     places = fingerprint.Finish();
   }
   std::string appearance = mesh.Appearance;
-  for (const SurfaceArray& array : mesh.Arrays)
+  for (std::size_t i = 0; i < mesh.GetNumberOfArrays(); ++i)
   {
-    appearance += "\n" + array.Name;
-    for (const SurfaceArray::Component& component : array.Components)
+    appearance += (i < mesh.Arrays.size() ? "\n" : "\n\n") + mesh.GetArray(i).Name;
+    for (const SurfaceArray::Component& component : mesh.GetArray(i).Components)
     {
       appearance += "\t" + component.Name;
     }
@@ -65,6 +65,18 @@ void AppendOptional(std::vector<Value>& whole, std::size_t wholeCount,
   }
 }
 
+void Append(std::vector<SurfaceArray>& whole, const std::vector<SurfaceArray>& piece)
+{
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    for (std::size_t c = 0; c < whole[i].Components.size(); ++c)
+    {
+      Append(whole[i].Components[c].Values, piece[i].Components[c].Values);
+    }
+    whole[i].IsInteger = whole[i].IsInteger && piece[i].IsInteger;
+  }
+}
+
 void Append(Mesh& whole, const Mesh& piece)
 {
   const std::size_t first = whole.Vertices.size();
@@ -78,25 +90,21 @@ void Append(Mesh& whole, const Mesh& piece)
   Append(whole.Radii, piece.Radii);
   Append(whole.TexCoords, piece.TexCoords);
   Append(whole.MapPlaces, piece.MapPlaces);
-  for (std::size_t i = 0; i < whole.Arrays.size(); ++i)
-  {
-    for (std::size_t c = 0; c < whole.Arrays[i].Components.size(); ++c)
-    {
-      Append(whole.Arrays[i].Components[c].Values, piece.Arrays[i].Components[c].Values);
-    }
-    whole.Arrays[i].IsInteger = whole.Arrays[i].IsInteger && piece.Arrays[i].IsInteger;
-  }
+  Append(whole.Arrays, piece.Arrays);
+  Append(whole.ShapeArrays, piece.ShapeArrays);
   for (const glm::uvec3& triangle : piece.Triangles)
   {
     whole.Triangles.push_back(static_cast<std::uint32_t>(first) + triangle);
   }
 }
 
-/// The values of a mesh's vertices in all arrays, of each as many bits. None without arrays.
-std::vector<std::vector<std::uint64_t>> ListBits(const Mesh& mesh)
+/// The values of `count` vertices or shapes in all arrays, of each as many bits. None without
+/// arrays.
+std::vector<std::vector<std::uint64_t>> ListBits(
+  const std::vector<SurfaceArray>& arrays, std::size_t count)
 {
-  std::vector<std::vector<std::uint64_t>> bits(mesh.Arrays.empty() ? 0 : mesh.Vertices.size());
-  for (const SurfaceArray& array : mesh.Arrays)
+  std::vector<std::vector<std::uint64_t>> bits(arrays.empty() ? 0 : count);
+  for (const SurfaceArray& array : arrays)
   {
     for (const SurfaceArray::Component& component : array.Components)
     {
@@ -171,6 +179,17 @@ void Take(std::vector<Value>& values, const Indices& indices)
   }
 }
 
+void Take(std::vector<SurfaceArray>& arrays, const Indices& indices)
+{
+  for (SurfaceArray& array : arrays)
+  {
+    for (SurfaceArray::Component& component : array.Components)
+    {
+      Take(component.Values, indices);
+    }
+  }
+}
+
 /// Sorts the shapes and the vertices of one mesh.
 class MeshSorter
 {
@@ -201,7 +220,9 @@ public:
     {
       Take(this->Sorted.Colors, order);
       Take(this->Sorted.Opacities, order);
+      Take(this->Sorted.MapPlaces, order);
     }
+    Take(this->Sorted.ShapeArrays, order);
     if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Triangles)
     {
       Take(this->Sorted.Emissions, order);
@@ -213,7 +234,7 @@ private:
   void RankVertices()
   {
     std::vector<Words<20>> vertices(this->Sorted.Vertices.size());
-    const std::vector<std::uint32_t> arrays = this->RankArrays();
+    const Indices arrays = RankArrays(this->Sorted.Arrays, this->Sorted.Vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       vertices[i].Add(this->Sorted.Vertices[i]);
@@ -221,10 +242,10 @@ private:
       vertices[i].AddFrom(this->Sorted.Joints, i);
       vertices[i].AddFrom(this->Sorted.Normals, i);
       vertices[i].AddFrom(this->Sorted.TexCoords, i);
-      vertices[i].AddFrom(this->Sorted.MapPlaces, i);
       vertices[i].AddFrom(arrays, i);
       if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
       {
+        vertices[i].AddFrom(this->Sorted.MapPlaces, i);
         vertices[i].AddFrom(this->Sorted.Colors, i);
         vertices[i].AddFrom(this->Sorted.Opacities, i);
       }
@@ -244,11 +265,11 @@ private:
     }
   }
 
-  /// Of each vertex, the rank of its values in arrays. None without arrays.
-  std::vector<std::uint32_t> RankArrays() const
+  /// Of each vertex or shape, the rank of its values in arrays. None without arrays.
+  static Indices RankArrays(const std::vector<SurfaceArray>& arrays, std::size_t count)
   {
-    const std::vector<std::vector<std::uint64_t>> bits = ListBits(this->Sorted);
-    std::vector<std::uint32_t> ranks(bits.size(), 0);
+    const std::vector<std::vector<std::uint64_t>> bits = ListBits(arrays, count);
+    Indices ranks(bits.size(), 0);
     const Indices order = FindOrder(bits);
     for (std::size_t i = 1; i < order.size(); ++i)
     {
@@ -260,7 +281,8 @@ private:
 
   Indices OrderShapes() const
   {
-    std::vector<Words<10>> shapes(this->Sorted.GetNumberOfShapes());
+    std::vector<Words<13>> shapes(this->Sorted.GetNumberOfShapes());
+    const Indices arrays = RankArrays(this->Sorted.ShapeArrays, shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i)
     {
       for (std::uint32_t corner : this->GetCorners(static_cast<std::uint32_t>(i)))
@@ -271,7 +293,9 @@ private:
       {
         shapes[i].AddFrom(this->Sorted.Colors, i);
         shapes[i].AddFrom(this->Sorted.Opacities, i);
+        shapes[i].AddFrom(this->Sorted.MapPlaces, i);
       }
+      shapes[i].AddFrom(arrays, i);
       if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Triangles)
       {
         shapes[i].AddFrom(this->Sorted.Emissions, i);
@@ -313,16 +337,10 @@ private:
     Take(this->Sorted.Joints, indices);
     Take(this->Sorted.Normals, indices);
     Take(this->Sorted.TexCoords, indices);
-    Take(this->Sorted.MapPlaces, indices);
-    for (SurfaceArray& array : this->Sorted.Arrays)
-    {
-      for (SurfaceArray::Component& component : array.Components)
-      {
-        Take(component.Values, indices);
-      }
-    }
+    Take(this->Sorted.Arrays, indices);
     if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
     {
+      Take(this->Sorted.MapPlaces, indices);
       Take(this->Sorted.Colors, indices);
       Take(this->Sorted.Opacities, indices);
     }

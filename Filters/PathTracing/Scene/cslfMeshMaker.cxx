@@ -146,6 +146,14 @@ void DropCovered(Mesh& mesh)
   if (mesh.Coloring == Mesh::ColorsOf::Triangles)
   {
     KeepSome(isKept, mesh.Colors);
+    KeepSome(isKept, mesh.MapPlaces);
+  }
+  for (SurfaceArray& array : mesh.ShapeArrays)
+  {
+    for (SurfaceArray::Component& component : array.Components)
+    {
+      KeepSome(isKept, component.Values);
+    }
   }
   if (mesh.EmissionsOf == Mesh::ColorsOf::Triangles)
   {
@@ -342,14 +350,16 @@ private:
       return;
     }
     const bool ofCells = this->Source.ScalarsOfCells;
-    if (!ofCells && !this->Source.HasTextures())
+    MappedTable table;
+    if (!this->Source.HasTextures())
     {
-      this->Table = colors.FindPlaces(this->Source.Scalars);
-      if (this->Table.Colors)
-      {
-        this->AddPlaces();
-        return;
-      }
+      table = colors.FindPlaces(this->Source.Scalars);
+    }
+    if (table.Colors && !ofCells)
+    {
+      this->Table = std::move(table);
+      this->AddPlaces();
+      return;
     }
     const MappedColors mapped = colors.Map(this->Source.Scalars);
     this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
@@ -364,6 +374,32 @@ private:
       {
         this->Result.Opacities.push_back(mapped.Opacities[index]);
       }
+    }
+    if (table.Colors)
+    {
+      this->AddMapPlaces(table);
+    }
+  }
+
+  /// The places of cells on the lookup table, which are those on its texture.
+  void AddMapPlaces(const MappedTable& table)
+  {
+    const auto columns = static_cast<float>(table.Map->Colors.size());
+    for (vtkIdType cell : this->Cells)
+    {
+      const glm::vec2& place = table.Places[cell];
+      this->Result.MapPlaces.emplace_back(columns * place.x, place.y > 0.5f ? 1.0f : 0.0f);
+    }
+    this->Result.Map = table.Map;
+    this->KeepMapIfShown();
+  }
+
+  void KeepMapIfShown()
+  {
+    if (!this->ShowsMap())
+    {
+      this->Result.Map = nullptr;
+      this->Result.MapPlaces.clear();
     }
   }
 
@@ -441,8 +477,8 @@ private:
     }
   }
 
-  /// The places of the colours of points or instances on their map, if between points it has the
-  /// colours that are interpolated there.
+  /// The places of the colours of points, cells or instances on their map, if between points it has
+  /// the colours that are interpolated there.
   void AddMapPlaces()
   {
     if (this->Source.ColorMaps.size() != 1 || this->Source.Textures.BaseColor)
@@ -450,7 +486,13 @@ private:
       return;
     }
     const auto map = std::make_shared<const ColorMap>(this->Source.ColorMaps.front());
-    vtkDataArray* scalars = this->Source.Data->GetPointData()->GetArray(MapScalarName);
+    const bool ofCells = this->Result.Coloring == Mesh::ColorsOf::Triangles;
+    vtkDataSetAttributes* attributes = this->Source.Data->GetPointData();
+    if (ofCells)
+    {
+      attributes = this->Source.Data->GetCellData();
+    }
+    vtkDataArray* scalars = attributes->GetArray(MapScalarName);
     const bool hasScalars = scalars && scalars->GetNumberOfComponents() == 1;
     if (this->Result.HasInstanceColors)
     {
@@ -464,18 +506,14 @@ private:
       }
       this->Result.Map = isKnown ? map : nullptr;
     }
-    else if (hasScalars && this->Result.Coloring == Mesh::ColorsOf::Vertices)
+    else if (hasScalars && this->Result.Coloring != Mesh::ColorsOf::None)
     {
-      for (const vtkIdType point : this->Points)
+      for (const vtkIdType index : ofCells ? this->Cells : this->Points)
       {
-        this->Result.MapPlaces.emplace_back(map->GetPlace(scalars->GetTuple1(point)));
+        this->Result.MapPlaces.emplace_back(map->GetPlace(scalars->GetTuple1(index)));
       }
       this->Result.Map = map;
-      if (!this->ShowsMap())
-      {
-        this->Result.Map = nullptr;
-        this->Result.MapPlaces.clear();
-      }
+      this->KeepMapIfShown();
     }
   }
 
@@ -486,13 +524,18 @@ private:
       this->Result.Arrays.push_back(
         MakeSurfaceArray(array, NameScalars(array->GetName()), this->Points));
     }
+    for (vtkDataArray* array : this->Source.CellArrays)
+    {
+      this->Result.ShapeArrays.push_back(
+        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Cells));
+    }
   }
 
   /// Arrays need light apart from colours.
   void ShowOneColor()
   {
     const glm::dvec3 color = LinearToSRGB(glm::dvec3(this->Result.Material.BaseColor));
-    if (!this->Result.Arrays.empty() && !this->Result.Map && this->Result.HasOneColor() &&
+    if (this->Result.GetNumberOfArrays() > 0 && !this->Result.Map && this->Result.HasOneColor() &&
       !this->Result.IsBlack())
     {
       this->Result.Map = std::make_shared<const ColorMap>(

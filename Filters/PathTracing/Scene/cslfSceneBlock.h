@@ -82,9 +82,10 @@ struct SceneBlock
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Map; ///< what the texture of base colours maps, see ReadColorMap, or nothing
-  std::vector<ColorMap> ColorMaps;   ///< or the map of the colours of points or instances
+  std::vector<ColorMap> ColorMaps;   ///< or the map of the colours of points, cells or instances
   std::vector<vtkDataArray*> Arrays; ///< of the points, which a geometry keeps
-  std::string Appearance;            ///< identifies the material, the textures and the map
+  std::vector<vtkDataArray*> CellArrays; ///< of the cells, likewise
+  std::string Appearance;                ///< identifies the material, the textures and the map
   std::vector<BlockInstance> Instances;
 
   bool HasTextures() const;

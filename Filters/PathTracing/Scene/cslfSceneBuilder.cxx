@@ -369,10 +369,22 @@ private:
     this->Blocks.push_back(std::move(block));
   }
 
-  /// Finds what the geometry keeps of the arrays that are not there for drawing.
-  void FindArrays(SceneBlock& block)
+  /// Finds what the geometry keeps of the arrays that are not there for drawing. Those of points
+  /// come before those of cells with the same name.
+  void FindArrays(SceneBlock& block) const
   {
-    vtkPointData* data = block.Data->GetPointData();
+    block.Arrays = this->FindArrays(block.Data->GetPointData());
+    block.CellArrays = this->FindArrays(block.Data->GetCellData());
+    block.CellArrays.erase(std::remove_if(block.CellArrays.begin(), block.CellArrays.end(),
+                             [&block](vtkDataArray* array) {
+                               return block.Data->GetPointData()->HasArray(array->GetName()) != 0;
+                             }),
+      block.CellArrays.end());
+  }
+
+  std::vector<vtkDataArray*> FindArrays(vtkDataSetAttributes* data) const
+  {
+    std::vector<vtkDataArray*> arrays;
     for (int i = 0; i < data->GetNumberOfArrays() && this->Options.KeepsArray; ++i)
     {
       vtkDataArray* array = data->GetArray(i);
@@ -383,9 +395,10 @@ private:
       if (!name.empty() && !isForDrawing &&
         array->GetNumberOfComponents() <= MaximumArrayComponents && this->Options.KeepsArray(name))
       {
-        block.Arrays.push_back(array);
+        arrays.push_back(array);
       }
     }
+    return arrays;
   }
 
   /// Gives a radius to points without one of their own. Blocks are clouds by themselves. A cloud
@@ -573,6 +586,7 @@ private:
     for (const Mesh& mesh : meshes)
     {
       arrays.Add(mesh.Arrays);
+      arrays.Add(mesh.ShapeArrays);
     }
     built.ArraysFingerprint = arrays.Finish();
     built.World =

@@ -96,7 +96,8 @@ glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const
   }
   if (!this->MapPlaces.empty())
   {
-    return this->Interpolate(this->MapPlaces, point);
+    return this->Coloring == ColorsOf::Triangles ? this->MapPlaces[point.Triangle]
+                                                 : this->Interpolate(this->MapPlaces, point);
   }
   const glm::vec2 place = this->Interpolate(this->TexCoords, point);
   return { place.x * static_cast<float>(this->Map->Colors.size()), place.y > 0.5f ? 1.0f : 0.0f };

@@ -94,12 +94,13 @@ struct VTKCSLF_EXPORT Mesh
   glm::vec3 DisplayedWhite{ 0.0f };
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  /// The map of the texture of base colours; or of the colours of vertices or instances, whose
-  /// places on it follow; or that of one colour; or null.
+  /// The map of the texture of base colours; or of the colours of vertices, shapes or instances,
+  /// whose places on it follow; or that of one colour; or null.
   std::shared_ptr<const ColorMap> Map;
   std::vector<glm::vec2> MapPlaces;
-  std::vector<SurfaceArray> Arrays; ///< of the vertices, which a geometry keeps
-  std::string Appearance;           ///< identifies the material, the textures and the map
+  std::vector<SurfaceArray> Arrays;      ///< of the vertices, which a geometry keeps
+  std::vector<SurfaceArray> ShapeArrays; ///< of the shapes, likewise
+  std::string Appearance;                ///< identifies the material, the textures and the map
 
   /// A grey that takes the place of the base colours, while it is not negative: see
   /// Scene::SetNeutral.
@@ -134,6 +135,21 @@ struct VTKCSLF_EXPORT Mesh
     return (1.0f - point.U - point.V) * values[corners.x] + point.U * values[corners.y] +
       point.V * values[corners.z];
   }
+
+  ///@{
+  /// The arrays of vertices, and after them those of shapes.
+  std::size_t GetNumberOfArrays() const { return this->Arrays.size() + this->ShapeArrays.size(); }
+  const SurfaceArray& GetArray(std::size_t number) const
+  {
+    return number < this->Arrays.size() ? this->Arrays[number]
+                                        : this->ShapeArrays[number - this->Arrays.size()];
+  }
+  double GetArrayValue(std::size_t number, std::size_t component, const TrianglePoint& point) const
+  {
+    const std::vector<double>& values = this->GetArray(number).Components[component].Values;
+    return number < this->Arrays.size() ? this->Interpolate(values, point) : values[point.Triangle];
+  }
+  ///@}
 
   ///@{
   /// The length of a triangle's longest edge, and its area, in the mesh's space.

@@ -64,7 +64,13 @@ public:
     this->Interpolate(mesh.Radii);
     this->Interpolate(mesh.Normals);
     this->Interpolate(mesh.TexCoords);
-    this->Interpolate(mesh.MapPlaces);
+    for (SurfaceArray& array : mesh.ShapeArrays)
+    {
+      for (SurfaceArray::Component& component : array.Components)
+      {
+        this->Repeat(component.Values);
+      }
+    }
     for (SurfaceArray& array : mesh.Arrays)
     {
       for (SurfaceArray::Component& component : array.Components)
@@ -73,6 +79,7 @@ public:
       }
     }
     const bool ofTubes = mesh.Coloring == Mesh::ColorsOf::Triangles;
+    ofTubes ? this->Repeat(mesh.MapPlaces) : this->Interpolate(mesh.MapPlaces);
     ofTubes ? this->Repeat(mesh.Colors) : this->Interpolate(mesh.Colors);
     ofTubes ? this->Repeat(mesh.Opacities) : this->Interpolate(mesh.Opacities);
     mesh.EmissionsOf == Mesh::ColorsOf::Triangles ? this->Repeat(mesh.Emissions)
