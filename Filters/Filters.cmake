@@ -139,6 +139,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/Certificate Certifier PixelBeams ShownPixels)
   # Textures.
   cslf_add(Filters/Files EncodedImage)
+  cslf_add(Filters/Images ImageFiles)
   cslf_add(Filters/GLTF GLTFDocument GLTFMaterials GLTFPrimitives)
   cslf_add(Filters/SceneData
     MaterialProblems SurfaceAppearance TextureImage WindowLights)

@@ -7,12 +7,11 @@
 #include "Console/cslfSceneText.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "Images/cslfImageFiles.h"
 #include "cslfPictures.h"
 
 #include <vtkImageData.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
@@ -402,16 +401,16 @@ bool ScaleDelays(const std::string& fileName, const std::vector<int>& factors)
 /// Whether a file can be decoded as an image. OpenImageIO does not notice all disk errors.
 bool IsWholeImage(const std::string& fileName)
 {
-  const auto input = OIIO::ImageInput::open(fileName);
+  std::string reason;
+  const auto input = OpenImage({ fileName }, reason);
   std::vector<unsigned char> pixels;
   bool isWhole = input != nullptr;
-  for (int picture = 0; isWhole && input->seek_subimage(picture, 0); ++picture)
+  for (bool isOpen = isWhole; isOpen && isWhole; isOpen = input->GoOn())
   {
-    const OIIO::ImageSpec spec = input->spec();
-    pixels.resize(spec.image_pixels() * spec.nchannels);
-    isWhole = input->read_image(picture, 0, 0, -1, OIIO::TypeDesc::UINT8, pixels.data());
+    const ImageHeader& header = input->GetHeader();
+    pixels.resize(std::size_t(header.Width) * header.Height * header.Channels);
+    isWhole = input->Read(PixelType::Bytes, pixels.data(), reason);
   }
-  OIIO::geterror();
   return isWhole;
 }
 }
@@ -445,9 +444,7 @@ std::unique_ptr<FrameWriter> MakeFrameWriter(
 
 struct ImageFile::Output
 {
-  std::unique_ptr<OIIO::ImageOutput> Writer;
-  OIIO::ImageSpec Spec;
-  int Pictures = 0;
+  std::unique_ptr<ImageWriter> Writer;
   std::vector<int> Frames; ///< for which each picture is shown
 };
 
@@ -456,20 +453,25 @@ ImageFile::ImageFile(const std::string& fileName, const int size[2], double fram
   , Image(std::make_unique<Output>())
 {
   const std::string extension = LowerExtension(fileName);
-  this->Image->Writer = OIIO::ImageOutput::create(extension.substr(1));
+  ImageHeader header;
+  header.Width = size[0];
+  header.Height = size[1];
+  header.Channels = 3;
+  header.Type = PixelType::Bytes;
+  // Almost invisible loss. Each format ignores what is not for it.
+  header.Attributes = { { "compression", extension == ".webp" ? "webp:95" : "jpeg:95" },
+    { "jpeg:subsampling", "4:4:4" }, { ColorSpaceAttribute, "sRGB" } };
+  std::string error;
+  const ImageLibrary* library = GetImageLibrary(error);
+  if (!library)
+  {
+    throw Failure(error);
+  }
+  this->Image->Writer =
+    library->Create(this->File.GetTemporaryName(), extension.substr(1), header, frameRate, error);
   if (!this->Image->Writer)
   {
-    OIIO::geterror(); // otherwise it would be printed at the end
     throw Failure("This OpenImageIO cannot write " + extension + ", which " + fileName + " needs.");
-  }
-  this->Image->Spec = OIIO::ImageSpec(size[0], size[1], 3, OIIO::TypeDesc::UINT8);
-  // Almost invisible loss. Each format ignores what is not for it.
-  this->Image->Spec.attribute("compression", extension == ".webp" ? "webp:95" : "jpeg:95");
-  this->Image->Spec.attribute("jpeg:subsampling", "4:4:4");
-  this->Image->Spec.attribute("oiio:ColorSpace", "sRGB");
-  if (frameRate > 0.0)
-  {
-    this->Image->Spec.attribute("FramesPerSecond", static_cast<float>(frameRate));
   }
 }
 
@@ -477,29 +479,24 @@ ImageFile::~ImageFile() = default;
 
 void ImageFile::Add(vtkImageData* picture, int frames)
 {
-  OIIO::ImageOutput& writer = *this->Image->Writer;
-  const OIIO::ImageSpec& spec = this->Image->Spec;
-  const auto mode =
-    this->Image->Pictures == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
   // VTK's pictures begin with the bottom row.
-  const OIIO::stride_t row = 3 * static_cast<OIIO::stride_t>(spec.width);
-  const auto* last =
-    static_cast<const unsigned char*>(picture->GetScalarPointer()) + row * (spec.height - 1);
-  if (!writer.open(this->File.GetTemporaryName(), spec, mode) ||
-    !writer.write_image(OIIO::TypeDesc::UINT8, last, 3, -row))
+  const std::ptrdiff_t row = 3 * std::ptrdiff_t(picture->GetDimensions()[0]);
+  const auto* last = static_cast<const unsigned char*>(picture->GetScalarPointer()) +
+    row * (picture->GetDimensions()[1] - 1);
+  std::string error;
+  if (!this->Image->Writer->Add(last, -row, error))
   {
-    FailWriting(this->File.GetName(), writer.geterror());
+    FailWriting(this->File.GetName(), error);
   }
-  ++this->Image->Pictures;
   this->Image->Frames.push_back(frames);
 }
 
 void ImageFile::Publish()
 {
-  const bool isClosed = this->Image->Writer->close();
-  if (!isClosed || !IsWholeImage(this->File.GetTemporaryName()))
+  std::string error;
+  if (!this->Image->Writer->Finish(error) || !IsWholeImage(this->File.GetTemporaryName()))
   {
-    FailWriting(this->File.GetName(), isClosed ? "" : this->Image->Writer->geterror());
+    FailWriting(this->File.GetName(), error);
   }
   const std::vector<int>& frames = this->Image->Frames;
   const bool isEven =

@@ -5,12 +5,11 @@
 #include "Files/cslfEncodedImage.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfJSONFile.h"
+#include "Images/cslfImageFiles.h"
 #include "cslfJSONText.h"
 
 #include <vtkType.h>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -169,18 +168,18 @@ std::string ComputeChecksum(const std::vector<unsigned char>& pixels)
   return text.data();
 }
 
-OIIO::TypeDesc PixelType(const Channel& channel)
+PixelType FindPixelType(const Channel& channel)
 {
   switch (channel.Type)
   {
     case VTK_UNSIGNED_CHAR:
-      return OIIO::TypeDesc::UINT8;
+      return PixelType::Bytes;
     case VTK_UNSIGNED_SHORT:
-      return OIIO::TypeDesc::UINT16;
+      return PixelType::Words;
     case VTK_FLOAT:
-      return OIIO::TypeDesc::FLOAT;
+      return PixelType::Floats;
     default:
-      return OIIO::TypeDesc::UNKNOWN;
+      return PixelType::Other;
   }
 }
 
@@ -191,21 +190,20 @@ bool IsFileNamePart(const std::string& name)
   return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), isAllowed);
 }
 
-OIIO::ImageSpec MakeSpec(const Layout& grid, const Channel& channel)
+ImageHeader MakeHeader(const Layout& grid, const Channel& channel)
 {
-  OIIO::ImageSpec spec(
-    FaceCount * grid.GetResolution(), grid.GetResolution(), channel.Components, PixelType(channel));
-  // OpenImageIO uses associated alpha and would divide by it when it writes a PNG, which loses
-  // precision. The pixels are declared to be in PNG's form already, so that they are written
-  // unchanged.
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("oiio:ColorSpace", channel.Encoding == SRGBEncoding ? "sRGB" : "Linear");
+  ImageHeader header;
+  header.Width = FaceCount * grid.GetResolution();
+  header.Height = grid.GetResolution();
+  header.Channels = channel.Components;
+  header.Type = FindPixelType(channel);
+  header.Attributes[ColorSpaceAttribute] = channel.Encoding == SRGBEncoding ? "sRGB" : "Linear";
   if (channel.Type == VTK_FLOAT)
   {
-    spec.attribute("compression", "zip");
+    header.Attributes["compression"] = "zip";
   }
-  spec.attribute("ImageDescription", channel.Name + ", " + channel.Encoding);
-  return spec;
+  header.Attributes["ImageDescription"] = channel.Name + ", " + channel.Encoding;
+  return header;
 }
 
 /// The bytes of an image file. None if there is no such file, or if it is larger than an image of
@@ -257,7 +255,7 @@ bool IsWholePNG(const std::vector<unsigned char>& content, int width, int height
   return false;
 }
 
-std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
+std::unique_ptr<ImageReader> OpenCubeMap(
   const std::string& fileName, const Layout& grid, const Channel& channel)
 {
   const bool isEXR = channel.Type == VTK_FLOAT;
@@ -268,22 +266,15 @@ std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   {
     return nullptr;
   }
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  OIIO::ImageSpec spec;
-  auto input = OIIO::ImageInput::create(isEXR ? "openexr" : "png");
-  if (!input || !input->open(fileName, spec, config))
+  std::string reason;
+  auto input = OpenImage({ fileName, isEXR ? "openexr" : "png", nullptr, 0, true }, reason);
+  if (!input)
   {
-    // Otherwise they would be printed at exit.
-    OIIO::geterror();
-    if (input)
-    {
-      input->geterror();
-    }
     return nullptr;
   }
-  const bool fits = spec.width == width && spec.height == height && spec.depth == 1 &&
-    spec.nchannels == channel.Components && spec.format == PixelType(channel);
+  const ImageHeader& header = input->GetHeader();
+  const bool fits = header.Width == width && header.Height == height && header.Depth == 1 &&
+    header.Channels == channel.Components && header.Type == FindPixelType(channel);
   return fits ? std::move(input) : nullptr;
 }
 
@@ -305,26 +296,12 @@ void ForEachRow(const Layout& grid, int entryFace, int texelBytes, Copy copy)
 
 /// Makes the file in memory first, because OpenImageIO does not notice all disk errors.
 bool WritePixels(
-  const std::string& fileName, const OIIO::ImageSpec& spec, const void* pixels, std::string& error)
+  const std::string& fileName, const ImageHeader& header, const void* pixels, std::string& error)
 {
-  auto output = OIIO::ImageOutput::create(fileName);
-  if (!output)
-  {
-    error = OIIO::geterror();
-    return false;
-  }
+  const ImageLibrary* library = GetImageLibrary(error);
   std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  OIIO::ImageSpec whole = spec;
-  void* place = &memory;
-  whole.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &place);
-  const bool written = output->open(fileName, whole) && output->write_image(spec.format, pixels);
-  if (!output->close() || !written)
-  {
-    error = output->geterror();
-    return false;
-  }
-  return MakeFile(fileName, bytes.data(), bytes.size(), error);
+  return library && library->Encode(fileName, header, pixels, bytes, error) &&
+    MakeFile(fileName, bytes.data(), bytes.size(), error);
 }
 }
 
@@ -337,7 +314,7 @@ bool CheckCubeMapChannels(const Description& description, std::string& error)
       error = "The channel \"" + channel.Name + "\" has a name that cannot be part of a file name.";
       return false;
     }
-    const bool isKnown = PixelType(channel) != OIIO::TypeDesc::UNKNOWN;
+    const bool isKnown = FindPixelType(channel) != PixelType::Other;
     if (!isKnown || (channel.Type != VTK_FLOAT && channel.Components > 4))
     {
       error = "The channel \"" + channel.Name +
@@ -436,12 +413,12 @@ bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& 
     [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
     { std::memcpy(pixels.data() + cubeMap, texels + strip, bytes); });
 
-  OIIO::ImageSpec spec = MakeSpec(grid, channel);
+  ImageHeader header = MakeHeader(grid, channel);
   if (channel.Type == VTK_FLOAT)
   {
-    spec.attribute(ChecksumAttribute, ComputeChecksum(pixels));
+    header.Attributes[ChecksumAttribute] = ComputeChecksum(pixels);
   }
-  return WritePixels(CubeMapFileName(folder, channel, slice), spec, pixels.data(), error);
+  return WritePixels(CubeMapFileName(folder, channel, slice), header, pixels.data(), error);
 }
 
 bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
@@ -456,13 +433,14 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
   const int texelBytes = channel.GetTexelBytes();
   std::vector<unsigned char> pixels(
     std::size_t(FaceCount) * grid.GetResolution() * grid.GetResolution() * texelBytes);
-  if (!input->read_image(0, 0, 0, -1, PixelType(channel), pixels.data()))
+  std::string reason;
+  if (!input->Read(FindPixelType(channel), pixels.data(), reason))
   {
-    input->geterror(); // otherwise printed on destruction
     return false;
   }
-  const std::string expected = input->spec().get_string_attribute(ChecksumAttribute);
-  if (!expected.empty() && expected != ComputeChecksum(pixels))
+  const auto expected = input->GetHeader().Attributes.find(ChecksumAttribute);
+  if (expected != input->GetHeader().Attributes.end() &&
+    expected->second != ComputeChecksum(pixels))
   {
     return false;
   }

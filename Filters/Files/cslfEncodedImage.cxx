@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEncodedImage.h"
 
-#include "cslfDecimalPoint.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include "Images/cslfImageFiles.h"
 
 #include <zlib.h>
 
@@ -112,33 +109,29 @@ vtkSmartPointer<vtkImageData> MakeImage(
 vtkSmartPointer<vtkImageData> Decode(
   const Bytes& bytes, const std::string& format, std::string& error)
 {
-  const DecimalPoint point;
-  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.Data), bytes.Size);
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  const auto input = OIIO::ImageInput::open(format, &config, proxy);
+  std::string reason;
+  const auto input = OpenImage({ format, "", bytes.Data, bytes.Size, true }, reason);
   if (!input)
   {
-    error = "cannot be decoded: " + OIIO::geterror();
+    error = "cannot be decoded: " + reason;
     return nullptr;
   }
-  const OIIO::ImageSpec spec = input->spec();
-  const bool hasSize = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 &&
-    spec.nchannels <= 4 && spec.image_pixels() <= MaximumPixels;
+  const ImageHeader& header = input->GetHeader();
+  const std::uint64_t count = std::uint64_t(header.Width) * header.Height;
+  const bool hasSize =
+    count > 0 && header.Channels > 0 && header.Channels <= 4 && count <= MaximumPixels;
   if (!hasSize)
   {
     error = "has a size that is not supported";
     return nullptr;
   }
-  std::vector<unsigned char> pixels(spec.image_pixels() * spec.nchannels);
-  if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, pixels.data()))
+  std::vector<unsigned char> pixels(count * header.Channels);
+  if (!input->Read(PixelType::Bytes, pixels.data(), reason))
   {
-    error = "cannot be decoded: " + input->geterror();
+    error = "cannot be decoded: " + reason;
     return nullptr;
   }
-  return MakeImage(spec.width, spec.height, spec.nchannels, pixels);
+  return MakeImage(header.Width, header.Height, header.Channels, pixels);
 }
 }
 

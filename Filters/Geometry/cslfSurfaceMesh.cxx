@@ -48,14 +48,11 @@ void Renumber(
   values = std::move(moved);
 }
 
-/// Gives points new numbers, of which there are `count`.
+/// Gives the points of triangles new numbers, of which there are `count`.
 void Renumber(const std::vector<unsigned int>& numbers, std::size_t count, SurfaceMesh& mesh)
 {
-  if (!mesh.Triangles.empty())
-  {
-    meshopt_remapIndexBuffer(&mesh.Triangles.front().x, &mesh.Triangles.front().x,
-      3 * mesh.Triangles.size(), numbers.data());
-  }
+  meshopt_remapIndexBuffer(&mesh.Triangles.front().x, &mesh.Triangles.front().x,
+    3 * mesh.Triangles.size(), numbers.data());
   if (!mesh.Regions.empty())
   {
     Renumber(numbers, count, mesh.Regions);
@@ -123,11 +120,15 @@ void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh)
 
 void DropUnused(SurfaceMesh& mesh)
 {
+  if (mesh.Triangles.empty())
+  {
+    mesh.Points.clear();
+    mesh.Regions.clear();
+    return;
+  }
   std::vector<unsigned int> numbers(mesh.Points.size());
-  const std::size_t count = mesh.Triangles.empty()
-    ? 0
-    : meshopt_optimizeVertexFetchRemap(
-        numbers.data(), &mesh.Triangles.front().x, 3 * mesh.Triangles.size(), mesh.Points.size());
+  const std::size_t count = meshopt_optimizeVertexFetchRemap(
+    numbers.data(), &mesh.Triangles.front().x, 3 * mesh.Triangles.size(), mesh.Points.size());
   Renumber(numbers, count, mesh);
 }
 
@@ -135,8 +136,7 @@ void Weld(SurfaceMesh& mesh)
 {
   if (mesh.Triangles.empty())
   {
-    mesh.Points.clear();
-    mesh.Regions.clear();
+    DropUnused(mesh);
     return;
   }
   std::vector<unsigned int> numbers(mesh.Points.size());

@@ -3,12 +3,11 @@
 
 // The meaning of values in image files, by format and by the names of colour spaces in all versions
 // of OpenImageIO.
+#include "Images/cslfImageFiles.h"
 #include "PathTracing/Lights/cslfEnvironment.h"
 #include "cslfTesting.h"
 
 #include <vtkTestUtilities.h>
-
-#include <OpenImageIO/imageio.h>
 
 #include <cmath>
 #include <fstream>
@@ -56,18 +55,23 @@ void TestNames()
 /// The linear value of an image of 0.5, in a file.
 double ReadHalf(const std::string& fileName, const char* colorSpace = nullptr)
 {
-  OIIO::ImageSpec spec(8, 4, 3, OIIO::TypeDesc::FLOAT);
+  cslf::ImageHeader header;
+  header.Width = 8;
+  header.Height = 4;
+  header.Channels = 3;
+  header.Type = cslf::PixelType::Floats;
   if (colorSpace)
   {
-    spec.attribute("oiio:ColorSpace", colorSpace);
+    header.Attributes[cslf::ColorSpaceAttribute] = colorSpace;
   }
   const std::vector<float> pixels(96, 0.5f);
-  const auto output = OIIO::ImageOutput::create(fileName);
-  const bool isWritten = output && output->open(fileName, spec) &&
-    output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
-  CSLF_CHECK(isWritten);
-  cslf::EnvironmentImage image;
+  std::vector<unsigned char> bytes;
   std::string error;
+  const cslf::ImageLibrary* library = cslf::GetImageLibrary(error);
+  CSLF_CHECK(library && library->Encode(fileName, header, pixels.data(), bytes, error));
+  std::ofstream(fileName, std::ios::binary)
+    .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  cslf::EnvironmentImage image;
   CSLF_CHECK(cslf::ReadEnvironmentImage(fileName, image, error));
   CSLF_CHECK(image.Width == 8 && image.Height == 4);
   return image.Pixels.empty() ? 0.0 : image.Pixels[13].y;

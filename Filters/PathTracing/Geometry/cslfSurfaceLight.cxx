@@ -36,6 +36,10 @@ constexpr float StartTexels = 0.5f;
 constexpr float NearShare = 0.125f;
 constexpr float MaximumReach = 4.0f;
 
+/// What two rays meet from both sides is at one place if it is not further apart than this share of
+/// the distance from which they start.
+constexpr float SameShare = 1e-3f;
+
 /// The samples of a triangle: one for each so many square texels, within limits.
 constexpr float SampleArea = 2.0f;
 constexpr int MinimumSamples = 4;
@@ -94,7 +98,8 @@ struct Aim
   Ray Path;
   Hit Target;
   Met What = Met::Nothing;
-  bool IsMet = false; ///< whether it is the side that was aimed at
+  bool IsMet = false;     ///< whether it is the side that was aimed at
+  bool IsNearest = false; ///< and what the other aim meets there is not nearer to the point
 };
 
 Aim AimAt(const Scene& scene, const Ray& ray, float reach)
@@ -135,6 +140,13 @@ std::array<Aim, 2> AimAtSides(const Scene& scene, const glm::vec3& point, const 
   {
     aims[side].IsMet = aims[side].What == (side == 0 ? Met::Front : Met::Back) ||
       (!isOrdered && aims[side].What != Met::Nothing);
+  }
+  const auto getOffset = [distance](const Aim& aim)
+  { return aim.IsMet ? std::abs(aim.Target.Distance - distance) : HUGE_VALF; };
+  for (const int side : { 0, 1 })
+  {
+    aims[side].IsNearest =
+      aims[side].IsMet && getOffset(aims[side]) <= getOffset(aims[1 - side]) + SameShare * distance;
   }
   return aims;
 }
@@ -348,7 +360,7 @@ SampledPoint LightSampler::FindPoint(const Aim& aim) const
   // What is not met may be missing from the scene, or hidden.
   glm::vec3 radiance;
   glm::vec3 white;
-  if (!aim.IsMet || !this->FindRadiance(aim, radiance, white, point))
+  if (!aim.IsNearest || !this->FindRadiance(aim, radiance, white, point))
   {
     return point;
   }
@@ -439,6 +451,9 @@ TriangleSamples LightSampler::Sample(
       if (aim.IsMet)
       {
         region = FindRegion(this->World, *this->Settings.Regions, aim.Target);
+      }
+      if (aim.IsNearest)
+      {
         body = votes == 0 ? aim.Target.Mesh : body;
         samples.Region = votes == 0 ? region : samples.Region;
         votes += samples.Region == region ? 1 : -1;
@@ -471,7 +486,8 @@ TriangleSamples LightSampler::Sample(
       }
       if (point.Is == SampledPoint::Light::Known)
       {
-        const float weight = IsSeen(this->World, aim.Path) ? 1.0f : HiddenWeight;
+        const bool isSeen = IsSeen(this->World, aim.Path);
+        const float weight = isSeen ? 1.0f : HiddenWeight;
         const float area = weight * samples.Area / static_cast<float>(count);
         samples.Sides[side].Add(places[i], point.Color, area);
         samples.Places.Add(places[i], point.Place, area);
@@ -484,7 +500,8 @@ TriangleSamples LightSampler::Sample(
           std::max({ samples.MaximumLight, point.Color.x, point.Color.y, point.Color.z });
         details[side].Add(places[i], samples.Map > 0 ? glm::vec3(0.0f) : point.Detail, area);
         baseSquare += area * glm::dot(point.Detail, point.Detail) / 3.0f;
-        brightness[side] += area * point.Brightness;
+        // What is brighter than white would outshine what hides it, along its edges.
+        brightness[side] += area * (isSeen ? point.Brightness : 1.0);
       }
       else if (point.Is == SampledPoint::Light::Unknown && samples.AreComplete[side])
       {

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEnvironment.h"
 
+#include "Images/cslfImageFiles.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
-#include "cslfDecimalPoint.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <glm/geometric.hpp>
 
@@ -133,38 +131,38 @@ EnvironmentAxes EnvironmentAxes::FromUp(const glm::dvec3& up)
 
 bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, std::string& error)
 {
-  const DecimalPoint point;
-  const auto input = OIIO::ImageInput::open(fileName);
+  std::string reason;
+  const auto input = OpenImage({ fileName }, reason);
   if (!input)
   {
-    error = "The environment image \"" + fileName + "\" cannot be read: " + OIIO::geterror();
+    error = "The environment image \"" + fileName + "\" cannot be read: " + reason;
     return false;
   }
-  const OIIO::ImageSpec spec = input->spec();
-  const std::size_t count = std::size_t(std::max(spec.width, 0)) * std::max(spec.height, 0);
+  const ImageHeader& header = input->GetHeader();
+  const std::size_t count = std::size_t(header.Width) * header.Height;
   if (count > MaximumPixels)
   {
     error = "The environment image \"" + fileName + "\" has more than " +
       std::to_string(MaximumPixels) + " pixels.";
     return false;
   }
-  std::vector<float> values(count * std::max(spec.nchannels, 0));
-  if (values.empty() ||
-    !input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+  std::vector<float> values(count * header.Channels);
+  if (values.empty() || !input->Read(PixelType::Floats, values.data(), reason))
   {
-    error = "The environment image \"" + fileName + "\" cannot be read: " + input->geterror();
+    error = "The environment image \"" + fileName + "\" cannot be read: " + reason;
     return false;
   }
-  image.Width = spec.width;
-  image.Height = spec.height;
+  image.Width = header.Width;
+  image.Height = header.Height;
   image.Pixels.resize(count);
+  const auto space = header.Attributes.find(ColorSpaceAttribute);
   const ImageCurve curve(
-    spec.get_string_attribute("oiio:ColorSpace"), spec.format.is_floating_point());
+    space == header.Attributes.end() ? std::string() : space->second, header.HasFloats);
   for (std::size_t i = 0; i < count; ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const float value = values[i * spec.nchannels + (spec.nchannels >= 3 ? c : 0)];
+      const float value = values[i * header.Channels + (header.Channels >= 3 ? c : 0)];
       const auto linear = static_cast<float>(curve.ToLinear(value));
       image.Pixels[i][c] = std::isfinite(linear) ? std::max(linear, 0.0f) : 0.0f;
     }
