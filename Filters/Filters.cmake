@@ -83,7 +83,7 @@ if (CSLF_ENABLE_ENCODER)
   list(APPEND classes ../Filters/vtkCSLFEncoder)
   cslf_add(Filters/Coding/Codecs VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
-  cslf_add(Filters/Coding/Groups GroupCodec)
+  cslf_add(Filters/Coding/Groups GroupEncoder)
   cslf_add(Filters/Coding/RateControl RateControl RateModel)
   cslf_add(Filters/Coding/Writing
     EncodeProbe EncodeRanks EncodeSession EncodeSettings FileAssembler GeometryPlan

@@ -15,7 +15,6 @@
 #include "cslfDescription.h"
 #include "cslfJSON.h"
 #include "vtkCSLFDecoder.h"
-#include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
@@ -51,21 +50,24 @@ std::optional<int> GetBakeQuality(vtkAlgorithm* filter)
     : std::nullopt;
 }
 
-/// The filter that traces the scene of a connection's field, or null.
-vtkSmartPointer<vtkCSLFPathTracer> FindTracer(vtkAlgorithmOutput* connection)
+/// The scene of a connection's field, or null.
+const cslf::TracedScene* FindScene(vtkAlgorithmOutput* connection)
 {
   for (const auto& producer : cslf::FindProducers(connection))
   {
-    if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(producer))
+    const cslf::TracedScene* scene = producer->GetNumberOfOutputPorts() > 0
+      ? cslf::FindScene(producer->GetOutputInformation(0))
+      : nullptr;
+    if (scene)
     {
-      return tracer;
+      return scene;
     }
   }
   return nullptr;
 }
 
 /// The hash of a field's scene. Empty if it is not recorded.
-std::string FindScene(const cslf::Description& field)
+std::string GetSceneHash(const cslf::Description& field)
 {
   const auto sampling = nlohmann::json::parse(field.Sampling, nullptr, false);
   const auto scene = sampling.find("scene");
@@ -242,7 +244,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, field, others)
                                                         : std::nullopt;
   };
-  if (this->Certificate && FindTracer(job.Connection))
+  if (this->Certificate && FindScene(job.Connection))
   {
     job.Certify = [this](const std::string& fileName) { return this->Certify(fileName); };
   }
@@ -280,26 +282,23 @@ std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
 // encoder.
 std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& fileName)
 {
-  const vtkSmartPointer<vtkCSLFPathTracer> tracer = FindTracer(this->GetInputConnection(0, 0));
+  const cslf::TracedScene& scene = *FindScene(this->GetInputConnection(0, 0));
   vtkNew<vtkCSLFDecoder> decoder;
   decoder->SetFileName(fileName.c_str());
   decoder->Update(1);
   std::string error;
   const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
-  if (!field || FindScene(*field) != tracer->GetSceneHash())
+  if (!field || GetSceneHash(*field) != scene.GetHash())
   {
     return std::nullopt;
   }
   cslf::Phase phase(this, "Comparing the file with the scene", cslf::FileAssembler::MeasuredShare);
-  const auto trace = [&tracer](const std::vector<cslf::PixelBeam>& beams, int samples, int seed,
-                       const cslf::Progress& report, std::vector<cslf::TracedPixel>& pixels)
-  { return tracer->TracePixels(beams, samples, seed, report, pixels); };
   const auto report = [&phase](double share) { return phase.Report(share); };
   cslf::Certificate certificate;
   const auto measure = [&]
   {
-    return cslf::MeasureCertificate(
-      decoder->GetOutputPort(0), decoder->GetGeometry(), trace, {}, report, certificate, error);
+    return cslf::MeasureCertificate(decoder->GetOutputPort(0), decoder->GetGeometry(), scene.Trace,
+      {}, report, certificate, error);
   };
   if (!cslf::Guard(measure, error))
   {
@@ -310,7 +309,7 @@ std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& file
     }
     return std::nullopt;
   }
-  certificate.Scene = tracer->GetSceneHash();
+  certificate.Scene = scene.GetHash();
   return certificate;
 }
 

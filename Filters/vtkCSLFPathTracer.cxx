@@ -200,6 +200,11 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
   this->SetController(vtkMultiProcessController::GetGlobalController());
+  this->Internals->Offered.GetHash = [this] { return this->GetSceneHash(); };
+  this->Internals->Offered.Trace = [this](const std::vector<cslf::PixelBeam>& beams, int samples,
+                                     int seed, const cslf::Progress& progress,
+                                     std::vector<cslf::TracedPixel>& pixels)
+  { return this->TracePixels(beams, samples, seed, progress, pixels); };
 }
 
 vtkCSLFPathTracer::~vtkCSLFPathTracer()
@@ -231,6 +236,7 @@ vtkTypeBool vtkCSLFPathTracer::ProcessRequest(
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
     {
       cslf::SetBakeQuality(outputs->GetInformationObject(port), this->Quality);
+      cslf::OfferScene(outputs->GetInformationObject(port), &this->Internals->Offered);
     }
   }
   return cslf::GuardRequest(this, request, outputs,

@@ -7,6 +7,7 @@
 #ifndef vtkCSLFPathTracerInternals_h
 #define vtkCSLFPathTracerInternals_h
 
+#include "Certificate/cslfCertifier.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "vtkCSLFEnvironment.h"
@@ -30,9 +31,10 @@ struct vtkCSLFPathTracer::vtkInternals
   cslf::BuiltScene Scene;
   std::string SceneKey; // what the scene was built from; empty if there is none
   std::unique_ptr<cslf::RadianceCache> Cache;
-  std::string CacheKey; // what the cache was built for; empty if there is none
-  bool IsProbe = false; // the cache is only roughly right
-  bool IsToldOf = true; // whether what the user should know of the cache has been told
+  std::string CacheKey;      // what the cache was built for; empty if there is none
+  bool IsProbe = false;      // the cache is only roughly right
+  cslf::TracedScene Offered; // calls the tracer
+  bool IsToldOf = true;      // whether what the user should know of the cache has been told
 };
 
 #endif

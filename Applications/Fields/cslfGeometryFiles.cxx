@@ -110,7 +110,11 @@ void OpenGeometry(FieldFile& file)
   }
   catch (const Failure& fault)
   {
-    file.GeometryMismatch = fault.what();
+    // Not all messages of VTK name the file.
+    const std::string reason = fault.what();
+    file.GeometryMismatch = reason.find(ToName(ToPath(fileName).filename())) == std::string::npos
+      ? "Cannot read " + fileName + ": " + reason
+      : reason;
   }
   catch (const std::exception&)
   {

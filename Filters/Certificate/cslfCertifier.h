@@ -51,6 +51,13 @@ struct CertificateSettings
 using PixelTracer = std::function<bool(const std::vector<PixelBeam>& beams, int samples, int seed,
   const Progress& progress, std::vector<TracedPixel>& pixels)>;
 
+/// A scene that a filter traces.
+struct TracedScene
+{
+  std::function<std::string()> GetHash;
+  PixelTracer Trace;
+};
+
 /// Compares a field with a scene. The result does not depend on threads. `geometry` is the field's,
 /// or null. On failure returns false and gives the reason; it is empty if the progress ended it.
 ///

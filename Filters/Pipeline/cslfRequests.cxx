@@ -47,20 +47,27 @@ vtkInformationIntegerKey* BakeQuality()
   return key;
 }
 
-/// A keeper of caches in an output's information.
-class KeeperLoan : public vtkObject
+/// What one filter lends another, in an output's information.
+class SceneLoan : public vtkObject
 {
 public:
-  static KeeperLoan* New();
-  vtkTypeMacro(KeeperLoan, vtkObject);
+  static SceneLoan* New();
+  vtkTypeMacro(SceneLoan, vtkObject);
 
   CacheKeeper* Keeper = nullptr;
+  const TracedScene* Scene = nullptr;
 };
-vtkStandardNewMacro(KeeperLoan);
+vtkStandardNewMacro(SceneLoan);
 
 vtkInformationObjectBaseKey* LentKeeper()
 {
   static auto* key = vtkInformationObjectBaseKey::MakeKey("CACHE_KEEPER", "cslfRequests");
+  return key;
+}
+
+vtkInformationObjectBaseKey* OfferedScene()
+{
+  static auto* key = vtkInformationObjectBaseKey::MakeKey("SCENE", "cslfRequests");
   return key;
 }
 
@@ -188,15 +195,28 @@ std::optional<int> GetBakeQuality(vtkInformation* output)
 
 void LendCacheKeeper(vtkInformation* output, CacheKeeper* keeper)
 {
-  vtkNew<KeeperLoan> loan;
+  vtkNew<SceneLoan> loan;
   loan->Keeper = keeper;
   output->Set(LentKeeper(), keeper ? loan.Get() : nullptr);
 }
 
 CacheKeeper* BorrowCacheKeeper(vtkInformation* output)
 {
-  auto* loan = KeeperLoan::SafeDownCast(output->Get(LentKeeper()));
+  auto* loan = SceneLoan::SafeDownCast(output->Get(LentKeeper()));
   return loan ? loan->Keeper : nullptr;
+}
+
+void OfferScene(vtkInformation* output, const TracedScene* scene)
+{
+  vtkNew<SceneLoan> loan;
+  loan->Scene = scene;
+  output->Set(OfferedScene(), loan.Get());
+}
+
+const TracedScene* FindScene(vtkInformation* output)
+{
+  auto* loan = SceneLoan::SafeDownCast(output->Get(OfferedScene()));
+  return loan ? loan->Scene : nullptr;
 }
 
 bool IsWholeThere(vtkAlgorithmOutput* connection)

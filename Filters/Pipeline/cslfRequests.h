@@ -30,6 +30,7 @@ class vtkInformation;
 namespace cslf
 {
 class CacheKeeper;
+struct TracedScene;
 
 /// Whether the whole of an output is requested, as one piece.
 inline bool IsWholeRequested(vtkInformation* output)
@@ -109,6 +110,13 @@ std::optional<int> GetBakeQuality(vtkInformation* output);
 /// Null ends the loan.
 void LendCacheKeeper(vtkInformation* output, CacheKeeper* keeper);
 CacheKeeper* BorrowCacheKeeper(vtkInformation* output);
+///@}
+
+///@{
+/// Offers the scene of a filter to those that its output feeds: it does so in RequestInformation.
+/// Null if there is none.
+void OfferScene(vtkInformation* output, const TracedScene* scene);
+const TracedScene* FindScene(vtkInformation* output);
 ///@}
 
 /// Whether a connection's whole output, image data, is there already, as UpdateInformation left its

@@ -5,7 +5,7 @@
 #include "cslfTesting.h"
 
 #include "Coding/Frames/cslfColorFrames.h"
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 
 #include <iostream>
 #include <string>

@@ -58,7 +58,7 @@ def bake(valley, file_name=None, **arguments):
     """A field with one reflection."""
     sampler = cslf.vtkCSLFSampler()
     sampler.SetMaximumDepth(1)
-    return cslf.bake(valley, file_name, sampler=sampler, viewpoints=3, resolution=64,
+    return cslf.bake(valley, file_name, sampler=sampler, viewpoints=2, resolution=64,
                      quality="preview", light="studio", progress=False, **arguments)
 
 

@@ -4,7 +4,8 @@
 // Loaded before all other libraries (LD_PRELOAD), this takes from a program what machines may lack:
 //   CSLF_LACKS_DECODER=av1  FFmpeg's decoder of that codec;
 //   CSLF_LACKS_MEMORY=n     memory, from the n-th allocation of 4 KiB or more on, counted since the
-//                           first file was opened by FFmpeg;
+//                           first file was opened by FFmpeg, but not while libraries are loaded:
+//                           what those of others do then cannot be guarded;
 //   CSLF_LACKS_NAME=x       the free name x: a file gets it just before another would, if that is
 //                           not to replace anything;
 //   CSLF_LACKS_FLAGS=1      a file system whose files can be renamed without replacing others;
@@ -25,11 +26,12 @@ constexpr std::size_t LargeBytes = 4096;
 
 std::atomic<bool> IsCounting{ false };
 std::atomic<long> Left{ 0 };
+thread_local bool IsLoading = false;
 
 /// Whether there is memory for so many bytes.
 bool IsThere(std::size_t bytes)
 {
-  if (bytes < LargeBytes || !IsCounting || --Left > 0)
+  if (bytes < LargeBytes || !IsCounting || IsLoading || --Left > 0)
   {
     return true;
   }
@@ -68,6 +70,15 @@ extern "C"
   void* __libc_calloc(std::size_t count, std::size_t bytes);
   void* __libc_realloc(void* memory, std::size_t bytes);
   void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+
+  void* dlopen(const char* file, int mode)
+  {
+    static auto* const next = FindNext<void*(const char*, int)>("dlopen");
+    IsLoading = true;
+    void* library = next(file, mode);
+    IsLoading = false;
+    return library;
+  }
 
   void* malloc(std::size_t bytes)
   {

@@ -7,7 +7,7 @@
 #ifndef cslfContainerWriter_h
 #define cslfContainerWriter_h
 
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "cslfFileParts.h"
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #ifndef cslfRateModel_h
 #define cslfRateModel_h
 
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "vtkCSLFModule.h"
 
 #include <map>

@@ -11,7 +11,7 @@
 #ifndef cslfEncodeRanks_h
 #define cslfEncodeRanks_h
 
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "Parallel/cslfRanks.h"
 #include "cslfGroupStore.h"
 

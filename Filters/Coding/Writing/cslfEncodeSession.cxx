@@ -163,17 +163,17 @@ bool EncodeSession::CheckHere()
     return this->Fail(vtkErrorCode::UserError, fault);
   }
   this->Input.emplace(this->Job.Connection, *this->Grid);
-  this->Writer.emplace(this->Job.FileName, this->Job.Settings);
-  this->Writer->SetParts(this->Job.Parts);
-  this->Writer->SetCertifier(this->Job.Certify);
+  this->Assembler.emplace(this->Job.FileName, this->Job.Settings);
+  this->Assembler->SetParts(this->Job.Parts);
+  this->Assembler->SetCertifier(this->Job.Certify);
   std::string error;
-  return this->Peers.GetRank() != 0 || this->Writer->ReserveFolder(this->Job.Restart, error) ||
+  return this->Peers.GetRank() != 0 || this->Assembler->ReserveFolder(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
 }
 
 PersistentFile EncodeSession::GetCacheFile() const
 {
-  return this->Peers.GetRank() == 0 ? this->Writer->GetCacheFile() : PersistentFile();
+  return this->Peers.GetRank() == 0 ? this->Assembler->GetCacheFile() : PersistentFile();
 }
 
 bool EncodeSession::Agree(const std::string& shared, int* fromRoot)
@@ -281,7 +281,7 @@ bool EncodeSession::AddGeometry()
   {
     this->GeometryBytes = part->Bytes;
     this->Job.Parts.push_back(*part);
-    this->Writer->SetParts(this->Job.Parts);
+    this->Assembler->SetParts(this->Job.Parts);
   }
   return true;
 }
@@ -316,8 +316,8 @@ bool EncodeSession::TryGeometry()
 
 bool EncodeSession::BeginWriting()
 {
-  this->Writer->Begin(this->Input->GetField(), this->Checksum, this->Plan);
-  this->Groups.emplace(*this->Input, *this->Writer, this->Plan, this->CountSlicesThatFit());
+  this->Assembler->Begin(this->Input->GetField(), this->Checksum, this->Plan);
+  this->Source.emplace(*this->Input, *this->Assembler, this->Plan, this->CountSlicesThatFit());
   return this->Peers.GetRank() != 0 || this->OpenFolder();
 }
 
@@ -332,7 +332,7 @@ bool EncodeSession::OpenFolder()
   }
   std::string warning;
   std::string error;
-  if (!this->Writer->OpenFolder(this->Job.Restart, warning, error))
+  if (!this->Assembler->OpenFolder(this->Job.Restart, warning, error))
   {
     return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
   }
@@ -342,13 +342,13 @@ bool EncodeSession::OpenFolder()
   }
   if (this->Job.Resume)
   {
-    this->Job.Resume(this->Writer->CountStored(), this->Writer->GetGroupCount());
+    this->Job.Resume(this->Assembler->CountStored(), this->Assembler->GetGroupCount());
   }
   RateTarget target = this->Job.Settings.Target;
   target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
-  this->Control.emplace(target, this->Writer->GetRateField());
-  this->Control->SetTrials(this->Writer->ReadTrials());
-  if (!this->Writer->HasRoom(error))
+  this->Control.emplace(target, this->Assembler->GetRateField());
+  this->Control->SetTrials(this->Assembler->ReadTrials());
+  if (!this->Assembler->HasRoom(error))
   {
     return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
   }
@@ -392,8 +392,8 @@ void EncodeSession::WriteField(bool hasInput)
   if ((this->Choice.Step > 0 || this->ChooseKeyViews(isReady)) && this->ChooseGeometry(isReady))
   {
     const bool hasBegun = isReady && this->Try([this] { return this->BeginWriting(); });
-    int stored = this->Writer->CountStored();
-    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) &&
+    int stored = this->Assembler->CountStored();
+    if (this->Agree(hasBegun ? this->Assembler->GetManifest() : std::string(), &stored) &&
       isSynchronized)
     {
       stored = this->CodeGroups();
@@ -402,7 +402,7 @@ void EncodeSession::WriteField(bool hasInput)
   }
   if (!this->HasNoError())
   {
-    this->Writer.reset();
+    this->Assembler.reset();
   }
   else if (this->Input->HasClipped())
   {
@@ -418,7 +418,7 @@ void EncodeSession::ReportStored(int stored)
   if (stored > 0 && !text.empty())
   {
     text.erase(text.find_last_not_of('.') + 1);
-    text += this->Writer->DescribeKept(stored) + ".";
+    text += this->Assembler->DescribeKept(stored) + ".";
   }
 }
 
@@ -433,7 +433,7 @@ int EncodeSession::CodeGroups()
   {
     this->CodeOnOthers();
   }
-  int stored = this->Writer->CountStored();
+  int stored = this->Assembler->CountStored();
   this->Agree({}, &stored);
   return stored;
 }
@@ -461,13 +461,13 @@ bool EncodeSession::CodeNextTasks(bool& isDone)
   std::string error;
   if (!this->Control->Next(tasks, error))
   {
-    this->Writer->DropTrials();
+    this->Assembler->DropTrials();
     return this->FailWriting(vtkErrorCode::UserError, error);
   }
   isDone = tasks.empty();
   std::vector<CodingTask> undone;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
-    [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
+    [this](const CodingTask& task) { return task.IsTrial || this->Assembler->IsMissing(task.Group); });
   return this->Peers.DoTasks(
            std::move(undone), this->GetGroupsAtOnce(),
            [this](const std::vector<CodingTask>& mine, std::vector<CodingResult>& results)
@@ -484,10 +484,10 @@ bool EncodeSession::RecordTasks(const std::vector<CodingTask>& tasks)
     if (task.IsTrial)
     {
       std::string error;
-      return this->Writer->WriteTrials(this->Control->GetTrials(), error) ||
+      return this->Assembler->WriteTrials(this->Control->GetTrials(), error) ||
         this->FailWriting(vtkErrorCode::UnknownError, error);
     }
-    this->Control->AddCoded(task.Group, this->Writer->GetStoredCost(task.Group));
+    this->Control->AddCoded(task.Group, this->Assembler->GetStoredCost(task.Group));
   }
   return true;
 }
@@ -502,7 +502,7 @@ bool EncodeSession::FinishFile()
   Phase phase(this->Job.Reporter, "Writing the file");
   const auto report = [&phase](double share) { return phase.Report(share); };
   std::string warning;
-  if (!this->Writer->Finish(this->Job.Overwrite, report, warning, error))
+  if (!this->Assembler->Finish(this->Job.Overwrite, report, warning, error))
   {
     const bool isTaken = error == NameIsTaken;
     return this->FailWriting(
@@ -562,8 +562,8 @@ bool EncodeSession::CodeTasks(
   this->TasksAtWork = CountTasks(tasks);
   const auto report = [this](double share)
   { return this->Peers.Serve() && this->ReportTasks(share); };
-  if (!this->Groups->Gather(tasks, Within(report, PullShare, FitShare), slices, error) ||
-    !this->Writer->GetCoder().Encode(tasks, slices, Within(report, FitShare, 1.0), coded, error))
+  if (!this->Source->Gather(tasks, Within(report, PullShare, FitShare), slices, error) ||
+    !this->Assembler->GetCoder().Encode(tasks, slices, Within(report, FitShare, 1.0), coded, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
@@ -577,12 +577,12 @@ bool EncodeSession::CodeTasks(
     {
       if (task.IsTrial)
       {
-        result.Trials.emplace_back(factor, this->Writer->GetCost(*next));
+        result.Trials.emplace_back(factor, this->Assembler->GetCost(*next));
       }
       else
       {
         result.Tracks = std::move(*next);
-        this->Groups->Drop(task.Group);
+        this->Source->Drop(task.Group);
       }
       ++next;
     }
@@ -604,17 +604,17 @@ bool EncodeSession::StoreResults(const std::vector<CodingResult>& results)
     {
       this->Control->AddTrial(result.Group, factor, cost);
     }
-    if (!result.Tracks.empty() && !this->Writer->StoreGroup(result.Group, result.Tracks, error))
+    if (!result.Tracks.empty() && !this->Assembler->StoreGroup(result.Group, result.Tracks, error))
     {
       std::string lack;
-      error += this->Writer->HasRoom(lack) ? "" : "; " + lack;
+      error += this->Assembler->HasRoom(lack) ? "" : "; " + lack;
       return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
     }
   }
   // The first groups show about how much space all will take.
-  const bool isFirst = !this->HasCheckedRoom && this->Writer->CountStored() > 0;
+  const bool isFirst = !this->HasCheckedRoom && this->Assembler->CountStored() > 0;
   this->HasCheckedRoom = this->HasCheckedRoom || isFirst;
-  if (isFirst && !this->Writer->HasRoom(error))
+  if (isFirst && !this->Assembler->HasRoom(error))
   {
     return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
   }
@@ -627,12 +627,12 @@ void EncodeSession::WritePreview()
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  if (start < this->NextPreview || !this->Writer->CanPreview())
+  if (start < this->NextPreview || !this->Assembler->CanPreview())
   {
     return;
   }
   std::string error;
-  if (!this->Writer->WritePreview(error) && !this->HasWarnedOfPreview)
+  if (!this->Assembler->WritePreview(error) && !this->HasWarnedOfPreview)
   {
     this->HasWarnedOfPreview = true;
     this->Job.Warn("The preview of " + this->Job.FileName + " cannot be updated: " + error + ".");
@@ -643,8 +643,8 @@ void EncodeSession::WritePreview()
 
 double EncodeSession::GetShareAt(double ofTasks) const
 {
-  const double groups = this->Writer->GetGroupCount();
-  const double missing = static_cast<double>(this->Writer->GetMissingGroups().size());
+  const double groups = this->Assembler->GetGroupCount();
+  const double missing = static_cast<double>(this->Assembler->GetMissingGroups().size());
   const double trials = this->Control->GetExpectedTrials();
   const double tried = std::min<double>(trials, this->Control->GetTrialCount());
   const double atWork = ofTasks * static_cast<double>(this->TasksAtWork);

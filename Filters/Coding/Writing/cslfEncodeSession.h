@@ -156,8 +156,8 @@ private:
   EncodeOutcome Outcome;
   std::optional<Layout> Grid; ///< of the input
   std::optional<ViewpointReader> Input;
-  std::optional<FileAssembler> Writer;
-  std::optional<GroupSource> Groups;
+  std::optional<FileAssembler> Assembler;
+  std::optional<GroupSource> Source;
   std::optional<RateControl> Control;       ///< rank 0
   std::vector<unsigned char> GeometryBytes; ///< coded; only on rank 0
   KeyViewChoice Choice;

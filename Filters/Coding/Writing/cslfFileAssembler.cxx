@@ -45,7 +45,7 @@ const ContainerBytes& FindContainerBytes(const std::string& fileName)
 
 FileAssembler::FileAssembler(const std::string& fileName, const EncodeSettings& settings)
   : FileName(fileName)
-  , Groups(fileName)
+  , Store(fileName)
   , Settings(settings)
 {
 }
@@ -176,7 +176,7 @@ bool FileAssembler::OpenFolder(bool restart, std::string& warning, std::string& 
     }
   }
   bool discarded = false;
-  if (!this->Groups.Open(this->Manifest, restart, discarded, error))
+  if (!this->Store.Open(this->Manifest, restart, discarded, error))
   {
     return false;
   }
@@ -218,11 +218,11 @@ FileAssembler::Found FileAssembler::FindGroup(int group)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
     std::string ignored;
-    if (!this->Groups.Has(role, group))
+    if (!this->Store.Has(role, group))
     {
       found = Found::Missing;
     }
-    else if (!this->Groups.Read(role, group, tracks[track], ignored) ||
+    else if (!this->Store.Read(role, group, tracks[track], ignored) ||
       tracks[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
     {
       return Found::Damaged;
@@ -279,11 +279,11 @@ bool FileAssembler::StoreGroup(int group, const GroupTracks& tracks, std::string
     {
       return false;
     }
-    if (!this->Groups.Write(role, group, tracks[track], error))
+    if (!this->Store.Write(role, group, tracks[track], error))
     {
       // The preview may take the space that the group needs.
-      this->Groups.DropPreview();
-      if (!this->Groups.Write(role, group, tracks[track], error))
+      this->Store.DropPreview();
+      if (!this->Store.Write(role, group, tracks[track], error))
       {
         return false;
       }
@@ -388,13 +388,13 @@ bool FileAssembler::HasRoom(std::string& error) const
   // The remaining data is written twice: as single groups, and in the file that joins them.
   const double needed = stored + 2.0 * rest;
   const double least = this->GetWantedBytes() > 0.0 ? needed : stored + rest;
-  if (cslf::HasRoom(this->Groups.GetFolder(), needed, least, error))
+  if (cslf::HasRoom(this->Store.GetFolder(), needed, least, error))
   {
     return true;
   }
   // The preview is not needed.
-  this->Groups.DropPreview();
-  return cslf::HasRoom(this->Groups.GetFolder(), needed, least, error);
+  this->Store.DropPreview();
+  return cslf::HasRoom(this->Store.GetFolder(), needed, least, error);
 }
 
 bool FileAssembler::CanPreview() const
@@ -408,13 +408,13 @@ bool FileAssembler::WritePreview(std::string& error)
   // Besides what HasRoom says, for this file.
   const double needed = 2.0 * (this->GetStoredBytes() + this->GetMissingBytes());
   const auto always = [](double) { return true; };
-  if (cslf::HasRoom(this->Groups.GetFolder(), needed, needed, error) &&
-    this->Join(this->Groups.GetUnfinishedPreview(), always, error) &&
-    this->Groups.PublishPreview(error))
+  if (cslf::HasRoom(this->Store.GetFolder(), needed, needed, error) &&
+    this->Join(this->Store.GetUnfinishedPreview(), always, error) &&
+    this->Store.PublishPreview(error))
   {
     return true;
   }
-  this->Groups.DropPreview();
+  this->Store.DropPreview();
   return false;
 }
 
@@ -427,7 +427,7 @@ int FileAssembler::CountStored() const
 std::string FileAssembler::DescribeKept(int stored) const
 {
   return "; " + std::to_string(stored) + " of " + std::to_string(this->GetGroupCount()) +
-    " groups of viewpoints are kept in " + this->Groups.GetFolder() +
+    " groups of viewpoints are kept in " + this->Store.GetFolder() +
     ", and the next run resumes from them";
 }
 
@@ -435,17 +435,17 @@ bool FileAssembler::Finish(bool replaces, const std::function<bool(double)>& pro
   std::string& warning, std::string& error)
 {
   this->DropFullCoverage();
-  this->Groups.DropPreview();
+  this->Store.DropPreview();
   return this->HasRoom(error) &&
     (this->Certify ? this->AddCertificate(progress, error)
-                   : this->Join(this->Groups.GetWholeName(), progress, error)) &&
-    this->Groups.Publish(replaces, warning, error);
+                   : this->Join(this->Store.GetWholeName(), progress, error)) &&
+    this->Store.Publish(replaces, warning, error);
 }
 
 /// Joins the groups, measures the file, and joins them again with the result.
 bool FileAssembler::AddCertificate(const std::function<bool(double)>& progress, std::string& error)
 {
-  const std::string whole = this->Groups.GetWholeName();
+  const std::string whole = this->Store.GetWholeName();
   if (!this->Join(whole, Within(progress, 0.0, JoinedShare), error))
   {
     return false;
@@ -490,7 +490,7 @@ bool FileAssembler::Join(
     for (std::size_t track = 0; good && track < tracks; ++track)
     {
       CodedGroup coded;
-      good = this->Groups.Read(this->Header.Tracks[track].Kind.Role, group, coded, error);
+      good = this->Store.Read(this->Header.Tracks[track].Kind.Role, group, coded, error);
       if (good && group == 0 && track == 0)
       {
         coded.Frames.front().Data = this->Carry(coded.Frames.front().Data);

@@ -66,11 +66,11 @@ public:
   /// the field. On failure returns false and gives the reason.
   bool ReserveFolder(bool restart, std::string& error)
   {
-    return this->Groups.Reserve(restart, error);
+    return this->Store.Reserve(restart, error);
   }
 
   /// The path in that folder where data for a restart may be kept.
-  PersistentFile GetCacheFile() const { return this->Groups.GetCacheFile(); }
+  PersistentFile GetCacheFile() const { return this->Store.GetCacheFile(); }
 
   /// Opens the folder of groups. If `restart` is set, finds those that a killed run left there
   /// under the same manifest. A warning says what is discarded.
@@ -95,12 +95,12 @@ public:
   ///@{
   /// The results of rate control's trials, kept beside the groups of the same manifest. Empty if
   /// there are none.
-  std::string ReadTrials() const { return this->Groups.ReadTrials(); }
+  std::string ReadTrials() const { return this->Store.ReadTrials(); }
   bool WriteTrials(const std::string& text, std::string& error) const
   {
-    return this->Groups.WriteTrials(text, error);
+    return this->Store.WriteTrials(text, error);
   }
-  void DropTrials() const { this->Groups.DropTrials(); }
+  void DropTrials() const { this->Store.DropTrials(); }
   ///@}
 
   /// Whether the disk has enough space for the rest, judged by the target size of the file or by
@@ -155,7 +155,7 @@ private:
   void DropFullCoverage();
 
   std::string FileName;
-  GroupStore Groups;
+  GroupStore Store;
   EncodeSettings Settings;
   Certifier Certify; ///< may be empty
   FileHeader Header;

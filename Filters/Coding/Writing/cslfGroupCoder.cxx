@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupCoder.h"
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "Coding/Groups/cslfTrackDecoder.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"

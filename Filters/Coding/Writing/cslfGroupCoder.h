@@ -7,7 +7,7 @@
 #ifndef cslfGroupCoder_h
 #define cslfGroupCoder_h
 
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "Pipeline/cslfPhase.h"
 #include "cslfEncodeSettings.h"
 

@@ -13,7 +13,7 @@
 #ifndef cslfGroupStore_h
 #define cslfGroupStore_h
 
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "Files/cslfWorkFolder.h"
 
 #include <cstddef>

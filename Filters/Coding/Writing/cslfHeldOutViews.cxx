@@ -3,7 +3,7 @@
 #include "cslfHeldOutViews.h"
 #include "Coding/Geometry/cslfGeometryRays.h"
 #include "Coding/Geometry/cslfShownRays.h"
-#include "Coding/Groups/cslfGroupCodec.h"
+#include "Coding/Groups/cslfGroupEncoder.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 

@@ -5,8 +5,8 @@
  * One closed group of pictures of one track, encoded separately. Groups share nothing, so they can
  * be coded in parallel, and the bytes do not depend on how many are.
  */
-#ifndef cslfGroupCodec_h
-#define cslfGroupCodec_h
+#ifndef cslfGroupEncoder_h
+#define cslfGroupEncoder_h
 
 #include "Coding/Codecs/cslfVideoEncoders.h"
 #include "Coding/Frames/cslfFrameConverter.h"

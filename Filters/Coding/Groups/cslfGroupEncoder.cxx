@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfGroupCodec.h"
+#include "cslfGroupEncoder.h"
 
 #include "Coding/Frames/cslfFrameConverter.h"
 #include "cslfDecimalPoint.h"
