@@ -33,11 +33,15 @@ bool IsCovered(const ViewpointSamples& samples, std::size_t texels)
   return true;
 }
 
-/// Geometry tells about the first layer only.
-bool HasOneLayer(const Description& field)
+/// Whether a field has nothing but what geometry can tell: colour and depth of one layer.
+bool HasOnlyTold(const Description& field)
 {
   return std::none_of(ChannelIds.begin(), ChannelIds.end(),
-    [&field](ChannelId id) { return id.Layer > 0 && field.FindChannel(id); });
+    [&field](ChannelId id)
+    {
+      return field.FindChannel(id) && id != ChannelId(KnownChannel::Color) &&
+        id != ChannelId(KnownChannel::Depth);
+    });
 }
 }
 
@@ -67,7 +71,7 @@ GeometryPlan::GeometryPlan(
     this->Computed = computed;
     this->Computed.HasColor = computed.HasColor && this->Texels->HasColors() &&
       field.FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
-    this->Computed.IsAll = computed.IsAll && this->Computed.HasColor && HasOneLayer(field);
+    this->Computed.IsAll = computed.IsAll && this->Computed.HasColor && HasOnlyTold(field);
     this->Checksum =
       static_cast<std::uint32_t>(crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
   }
@@ -93,7 +97,7 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   const bool isDone = plan.Fit(frames, samples, progress, fit);
   plan.Computed.HasColor =
     plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
-  plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll() && HasOneLayer(field);
+  plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll() && HasOnlyTold(field);
   // What is thinner than a texel has no texels that show it, though the geometry has it.
   const double most = plan.TellsAll() ? MaximumUsefulLoss : MaximumLoss;
   plan = isDone && fit.Texels > 0 && fit.GetLoss() <= most ? std::move(plan) : GeometryPlan();
