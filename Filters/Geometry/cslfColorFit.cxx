@@ -3,13 +3,16 @@
 #include "cslfColorFit.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <thread>
 #include <unordered_map>
 #include <utility>
 
@@ -180,7 +183,7 @@ void ColorFit::Apply(
 }
 
 // The method of conjugate gradients, preconditioned by the matrix's diagonal.
-void ColorFit::SolveKind(int kind, const std::function<void(double)>& proceed)
+void ColorFit::SolveKind(int kind, const std::function<bool()>& goOn)
 {
   const std::size_t count = this->Places.size();
   std::vector<glm::vec3> rest(count, glm::vec3(0.0f));
@@ -215,9 +218,8 @@ void ColorFit::SolveKind(int kind, const std::function<void(double)>& proceed)
     length += glm::dvec3(rest[i] * direction[i]);
   }
   const glm::dvec3 enough = SolvedShare * length;
-  for (int k = 0; k < MaximumIterations; ++k)
+  for (int k = 0; k < MaximumIterations && goOn(); ++k)
   {
-    proceed(1.0);
     this->Apply(kind, direction, product);
     glm::dvec3 curvature(0.0);
     for (std::size_t i = 0; i < count; ++i)
@@ -262,10 +264,32 @@ void ColorFit::Solve(const std::function<void(double)>& proceed)
   const std::size_t arrays = this->Samples.empty() ? 0 : this->Samples.front().Arrays.size();
   const int kinds = hasMaps ? FirstArrayKind + static_cast<int>(arrays) : PlaceKind;
   this->Colors.assign(FirstArrayKind + arrays, {});
-  for (int kind = 0; kind < kinds; ++kind)
+  // Only this thread may report.
+  std::atomic<bool> isStopped{ false };
+  const auto goOn = [&, caller = std::this_thread::get_id()]
   {
-    this->SolveKind(kind, proceed);
-  }
+    try
+    {
+      if (std::this_thread::get_id() == caller)
+      {
+        proceed(1.0);
+      }
+    }
+    catch (...)
+    {
+      isStopped = true;
+      throw;
+    }
+    return !isStopped;
+  };
+  ParallelFor(0, kinds, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType kind = begin; kind < end; ++kind)
+      {
+        this->SolveKind(static_cast<int>(kind), goOn);
+      }
+    });
 }
 
 // Light on dark surfaces may err by more: displayed colours are about the products of both.

@@ -210,7 +210,7 @@ private:
   }
 
   void JoinCorners();
-  void SolveKind(int kind, const std::function<void(double)>& proceed);
+  void SolveKind(int kind, const std::function<bool()>& goOn);
   void Apply(int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;
   void PinArrays();
   std::vector<std::uint8_t> FindMaps() const;

@@ -157,11 +157,12 @@ std::uint32_t FindRegion(const Scene& scene, const SurfaceRegions& regions, cons
   return regions.Get(scene.GetMeshes()[hit.Mesh], hit.GetPlace().Triangle);
 }
 
-/// Whether one of several rays from where an aim begins, away from the surface, meets nothing.
-bool IsSeen(const Scene& scene, const Ray& aim)
+/// Whether one of several rays from where an aim begins, away from the surface, meets nothing: of
+/// all directions, or of the first and each further `step`.
+bool IsSeen(const Scene& scene, const Ray& aim, int first = 0, int step = 1)
 {
   const Frame frame(-aim.Direction);
-  for (int i = 0; i < Directions; ++i)
+  for (int i = first; i < Directions; i += step)
   {
     const glm::vec3 direction = frame.ToWorld(SampleCosineHemisphere(
       { static_cast<float>(RobertsNumber(i, 0)), static_cast<float>(RobertsNumber(i, 1)) }));
@@ -265,6 +266,33 @@ bool AreStray(const std::vector<std::array<std::uint32_t, 2>>& regions,
     }
   }
   return true;
+}
+
+/// Which samples of a triangle, by their aims, are seen. Those of a small triangle see about the
+/// same: they share the directions.
+std::vector<std::array<char, 2>> FindSeen(
+  const Scene& scene, const std::vector<std::array<Aim, 2>>& aims)
+{
+  const auto count = static_cast<int>(aims.size());
+  const bool isSmall = count == MinimumSamples;
+  std::vector<std::array<char, 2>> seen(aims.size(), { 0, 0 });
+  for (const int side : { 0, 1 })
+  {
+    bool isAnySeen = false;
+    for (int i = 0; i < count && !isAnySeen; ++i)
+    {
+      if (aims[i][side].IsNearest)
+      {
+        seen[i][side] = IsSeen(scene, aims[i][side].Path, isSmall ? i : 0, isSmall ? count : 1);
+        isAnySeen = isSmall && seen[i][side] != 0;
+      }
+    }
+    for (int i = 0; i < count && isAnySeen; ++i)
+    {
+      seen[i][side] = 1;
+    }
+  }
+  return seen;
 }
 
 /// Samples triangles of a surface.
@@ -467,6 +495,7 @@ TriangleSamples LightSampler::Sample(
   const float edges = glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a);
   const bool dropsOthers = !this->Settings.KeepsMesh &&
     AreStray(regions, samples, MaximumStray * edges / this->Settings.Texel);
+  const std::vector<std::array<char, 2>> seen = FindSeen(this->World, aims);
   SampleSums details[2];
   double brightness[2] = {};
   float baseSquare = 0.0f;
@@ -486,7 +515,7 @@ TriangleSamples LightSampler::Sample(
       }
       if (point.Is == SampledPoint::Light::Known)
       {
-        const bool isSeen = IsSeen(this->World, aim.Path);
+        const bool isSeen = seen[i][side] != 0;
         const float weight = isSeen ? 1.0f : HiddenWeight;
         const float area = weight * samples.Area / static_cast<float>(count);
         samples.Sides[side].Add(places[i], point.Color, area);
@@ -505,7 +534,7 @@ TriangleSamples LightSampler::Sample(
       }
       else if (point.Is == SampledPoint::Light::Unknown && samples.AreComplete[side])
       {
-        samples.AreComplete[side] = !IsSeen(this->World, aim.Path);
+        samples.AreComplete[side] = seen[i][side] == 0;
       }
     }
   }
