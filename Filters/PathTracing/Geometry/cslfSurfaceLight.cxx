@@ -268,10 +268,10 @@ bool AreStray(const std::vector<std::array<std::uint32_t, 2>>& regions,
   return true;
 }
 
-/// Which samples of a triangle, by their aims, are seen. Those of a small triangle see about the
-/// same: they share the directions.
-std::vector<std::array<char, 2>> FindSeen(
-  const Scene& scene, const std::vector<std::array<Aim, 2>>& aims)
+/// Whether samples of a triangle, by their aims, are seen, where that matters. Those of a small
+/// triangle see about the same: they share the directions.
+std::vector<std::array<char, 2>> FindSeen(const Scene& scene,
+  const std::vector<std::array<Aim, 2>>& aims, const std::vector<std::array<char, 2>>& matter)
 {
   const auto count = static_cast<int>(aims.size());
   const bool isSmall = count == MinimumSamples;
@@ -281,7 +281,7 @@ std::vector<std::array<char, 2>> FindSeen(
     bool isAnySeen = false;
     for (int i = 0; i < count && !isAnySeen; ++i)
     {
-      if (aims[i][side].IsNearest)
+      if (matter[i][side] != 0)
       {
         seen[i][side] = IsSeen(scene, aims[i][side].Path, isSmall ? i : 0, isSmall ? count : 1);
         isAnySeen = isSmall && seen[i][side] != 0;
@@ -495,7 +495,26 @@ TriangleSamples LightSampler::Sample(
   const float edges = glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a);
   const bool dropsOthers = !this->Settings.KeepsMesh &&
     AreStray(regions, samples, MaximumStray * edges / this->Settings.Texel);
-  const std::vector<std::array<char, 2>> seen = FindSeen(this->World, aims);
+  std::vector<std::array<SampledPoint, 2>> points(count);
+  std::vector<std::array<char, 2>> matter(count);
+  for (int i = 0; i < count; ++i)
+  {
+    for (const int side : { 0, 1 })
+    {
+      const Aim& aim = aims[i][side];
+      SampledPoint& point = points[i][side];
+      point = this->FindPoint(aim);
+      // Light and colours do not mix, nor do regions of a mesh whose border is the triangle's.
+      if (aim.IsMet &&
+        (this->FindMap(aim.Target.Mesh) != samples.Map ||
+          (dropsOthers && aim.Target.Mesh == body && regions[i][side] != samples.Region)))
+      {
+        point.Is = SampledPoint::Light::Missing;
+      }
+      matter[i][side] = point.Is != SampledPoint::Light::Missing;
+    }
+  }
+  const std::vector<std::array<char, 2>> seen = FindSeen(this->World, aims, matter);
   SampleSums details[2];
   double brightness[2] = {};
   float baseSquare = 0.0f;
@@ -505,14 +524,7 @@ TriangleSamples LightSampler::Sample(
     for (const int side : { 0, 1 })
     {
       const Aim& aim = aims[i][side];
-      SampledPoint point = this->FindPoint(aim);
-      // Light and colours do not mix, nor do regions of a mesh whose border is the triangle's.
-      if (aim.IsMet &&
-        (this->FindMap(aim.Target.Mesh) != samples.Map ||
-          (dropsOthers && aim.Target.Mesh == body && regions[i][side] != samples.Region)))
-      {
-        point.Is = SampledPoint::Light::Missing;
-      }
+      const SampledPoint& point = points[i][side];
       if (point.Is == SampledPoint::Light::Known)
       {
         const bool isSeen = seen[i][side] != 0;
