@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkRenderer.h>
+#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,9 @@ void AddTerrain(vtkRenderer* renderer)
   normals->SetInputData(data);
   normals->SplittingOff();
   normals->ConsistencyOff();
-  normals->Update();
+  // VTK 9.3 and later add up normals in the order of threads: the scene would differ from run to
+  // run.
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(1), [&] { normals->Update(); });
   double range[2];
   heights->GetRange(range);
   AddSurface(renderer, normals->GetOutput(), MakeLandColors(range[0], range[1]));

@@ -95,8 +95,10 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   }
   GeometryFit fit;
   const bool isDone = plan.Fit(frames, samples, progress, fit);
+  // Where colours change within a texel, its centre says little.
+  const double mostError = plan.MayTellAll() ? MaximumExactColorError : MaximumColorError;
   plan.Computed.HasColor =
-    plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= MaximumColorError;
+    plan.Computed.HasColor && fit.Colored > 0 && fit.GetColorError() <= mostError;
   plan.Computed.IsAll = plan.Computed.HasColor && plan.MayTellAll() && HasOnlyTold(field);
   // What is thinner than a texel has no texels that show it, though the geometry has it.
   const double most = plan.TellsAll() ? MaximumUsefulLoss : MaximumLoss;

@@ -34,6 +34,9 @@ public:
   /// The largest error of colours (GeometryFit::GetColorError) with which they are the geometry's.
   static constexpr double MaximumColorError = 24.0 / 255.0;
 
+  /// The same where all points are exact: a texel's colour is a mean over several cells' colours.
+  static constexpr double MaximumExactColorError = 64.0 / 255.0;
+
   /// Nothing is computed.
   GeometryPlan() = default;
 

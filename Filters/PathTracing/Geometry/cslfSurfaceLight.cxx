@@ -351,7 +351,7 @@ bool LightSampler::FindRadiance(
       return false;
     }
     const glm::vec3 emission = mesh.GetEmission(aim.Target.GetPlace());
-    white = this->World.GetBaseColor(aim.Target);
+    white = this->Settings.Regions->GetBaseColor(mesh, aim.Target.GetPlace());
     radiance = white * this->Stored->Get(aim.Target) + emission;
   }
   else if (!this->Stored || !this->Stored->LookUpShape(aim.Path, aim.Target, radiance))
@@ -399,10 +399,11 @@ SampledPoint LightSampler::FindPoint(const Aim& aim) const
     {
       point.Color[c] = static_cast<float>(EncodeLight(this->Settings.Exposure * light[c]));
     }
-    const glm::dvec3 base(this->World.GetBaseColor(aim.Target));
+    const Mesh& mesh = this->World.GetMeshes()[aim.Target.Mesh];
+    const TrianglePoint place = aim.Target.GetPlace();
+    const glm::dvec3 base(this->Settings.Regions->GetBaseColor(mesh, place));
     point.Detail = glm::vec3(LinearToSRGB(base));
-    point.Place =
-      glm::vec3(this->World.GetMeshes()[aim.Target.Mesh].GetMapPlace(aim.Target.GetPlace()), 0.0f);
+    point.Place = glm::vec3(this->Settings.Regions->GetMapPlace(mesh, place), 0.0f);
   }
   else
   {
@@ -504,10 +505,10 @@ TriangleSamples LightSampler::Sample(
       const Aim& aim = aims[i][side];
       SampledPoint& point = points[i][side];
       point = this->FindPoint(aim);
-      // Light and colours do not mix, nor do regions of a mesh whose border is the triangle's.
+      // Light and colours do not mix, nor do regions whose border is the triangle's.
       if (aim.IsMet &&
         (this->FindMap(aim.Target.Mesh) != samples.Map ||
-          (dropsOthers && aim.Target.Mesh == body && regions[i][side] != samples.Region)))
+          (dropsOthers && regions[i][side] != samples.Region)))
       {
         point.Is = SampledPoint::Light::Missing;
       }

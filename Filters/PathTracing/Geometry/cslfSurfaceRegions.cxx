@@ -21,25 +21,34 @@ namespace cslf
 {
 namespace
 {
-/// How much sRGB-encoded colours differ where they jump.
-constexpr float ColorJump = 4.0f / 255.0f;
+/// What is a jump: differences of sRGB-encoded colours that are larger, and of places on a map and
+/// values of arrays, as shares of their range.
+struct Jump
+{
+  float Color;
+  double Value;
+};
 
-/// The same for places on a map and for arrays, as a share of the range.
-constexpr double ValueJump = 0.005;
+/// Between triangles that are alike, between parts that are larger than some texels, and between
+/// smaller ones, whose values may vary smoothly.
+constexpr Jump AnyJump{ 0.5f / 255.0f, 1e-5 };
+constexpr Jump LargeJump{ 4.0f / 255.0f, 1e-3 };
+constexpr Jump SmallJump{ 0.1f, 0.1 };
 
-/// The smallest region, in square texels.
+/// In square texels: what is large, and the smallest region.
+constexpr float LargeArea = 4.0f;
 constexpr float MinimumArea = 1.0f;
 
 /// The triangles between two reports of progress.
 constexpr std::size_t TrianglesOfReport = 1 << 16;
 
-bool Differ(const glm::vec3& one, const glm::vec3& other)
+bool Differ(const glm::vec3& one, const glm::vec3& other, float jump)
 {
   const auto encode = [](float value)
   { return 1.055f * std::pow(std::max(value, 0.0f), 1.0f / 2.4f); };
   for (int i = 0; i < 3 && one != other; ++i)
   {
-    if (std::abs(encode(one[i]) - encode(other[i])) > ColorJump)
+    if (std::abs(encode(one[i]) - encode(other[i])) > jump)
     {
       return true;
     }
@@ -47,7 +56,7 @@ bool Differ(const glm::vec3& one, const glm::vec3& other)
   return false;
 }
 
-/// Finds the regions of one mesh of triangles.
+/// Finds the regions of one mesh.
 class RegionFinder
 {
 public:
@@ -55,43 +64,123 @@ public:
     : Source(mesh)
     , GoOn(progress)
   {
-    std::size_t count = 0;
-    this->Places = NumberPlaces(mesh.Vertices, count);
-    this->HasCopies = count < mesh.Vertices.size();
-    this->VariesByShape = mesh.Coloring == Mesh::ColorsOf::Triangles ||
-      mesh.EmissionsOf == Mesh::ColorsOf::Triangles || !mesh.ShapeArrays.empty();
+    if (mesh.Shape == Mesh::Shapes::Triangles)
+    {
+      std::size_t count = 0;
+      this->Places = NumberPlaces(mesh.Vertices, count);
+      this->HasCopies = count < mesh.Vertices.size();
+    }
+    this->VariesByShape = mesh.Shape == Mesh::Shapes::Spheres ||
+      mesh.Coloring == Mesh::ColorsOf::Triangles || mesh.EmissionsOf == Mesh::ColorsOf::Triangles ||
+      !mesh.ShapeArrays.empty();
     for (std::size_t i = 0; i < mesh.GetNumberOfArrays(); ++i)
     {
-      this->AddSteps(mesh.GetArray(i));
+      this->AddRanges(mesh.GetArray(i));
     }
   }
 
   /// Whether values can jump at all.
   bool CanHaveSeveral() const { return this->HasCopies || this->VariesByShape; }
 
-  /// Numbers from 0 of the triangles, where 0 is that of regions with less area. Nothing if there
-  /// is but one.
-  std::vector<std::uint32_t> Find(float minimumArea)
+  /// Numbers from 0 of the shapes, where 0 is that of regions that are too small. Nothing if there
+  /// is but one. Given the area of a texel.
+  std::vector<std::uint32_t> Find(float texel)
   {
-    this->Join();
-    const std::vector<glm::uvec3>& triangles = this->Source.Triangles;
-    std::vector<float> areas(triangles.size(), 0.0f);
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    const std::uint32_t count = this->Source.GetNumberOfShapes();
+    this->Next.resize(count);
+    std::iota(this->Next.begin(), this->Next.end(), 0U);
+    if (this->Source.Shape != Mesh::Shapes::Triangles)
     {
-      areas[this->FindRoot(i)] += this->Source.GetArea(i);
+      this->JoinShapes();
+      return this->Number(std::vector<float>(count, 1.0f), 0.0f);
     }
-    std::vector<std::uint32_t> numbers(triangles.size(), 0);
-    std::uint32_t count = 0;
-    bool hasSmall = false;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    this->ListUses();
+    this->JoinTriangles([](const Use&, const Use&) { return AnyJump; });
+    // The parts that are alike, and their areas.
+    std::vector<std::uint32_t> parts(count);
+    std::vector<float> areas(count, 0.0f);
+    for (std::uint32_t i = 0; i < count; ++i)
     {
-      const std::uint32_t root = this->FindRoot(i);
-      const bool isSmall = areas[root] < minimumArea;
-      // Roots come first.
-      numbers[i] = isSmall ? 0 : root == i ? ++count : numbers[root];
-      hasSmall = hasSmall || isSmall;
+      parts[i] = this->FindRoot(i);
+      areas[parts[i]] += this->Source.GetArea(i);
     }
-    return count + (hasSmall ? 1 : 0) > 1 ? numbers : std::vector<std::uint32_t>();
+    const auto isLarge = [&](const Use& use)
+    { return areas[parts[use.Triangle]] >= LargeArea * texel; };
+    this->JoinTriangles([&](const Use& one, const Use& other)
+      { return isLarge(one) && isLarge(other) ? LargeJump : SmallJump; });
+    for (std::uint32_t i = 0; i < count && this->VariesByShape; ++i)
+    {
+      if (areas[parts[i]] < LargeArea * texel)
+      {
+        this->SmallOnes.push_back(i);
+      }
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      areas[i] = this->Source.GetArea(i);
+    }
+    return this->Number(areas, MinimumArea * texel);
+  }
+
+  /// The corners of small cells, after Find.
+  SurfaceRegions::SmallCells FindSmallCells(const std::vector<std::uint32_t>& numbers) const
+  {
+    using Corner = SurfaceRegions::Corner;
+    SurfaceRegions::SmallCells cells;
+    if (this->SmallOnes.empty())
+    {
+      return cells;
+    }
+    struct Meeting
+    {
+      std::uint64_t Key; ///< the region and the place
+      std::uint32_t Row;
+      int Corner;
+    };
+    cells.Rows.assign(this->Source.Triangles.size(), 0xffffffffU);
+    cells.Corners.resize(this->SmallOnes.size());
+    std::vector<Meeting> meetings;
+    meetings.reserve(3 * this->SmallOnes.size());
+    for (std::uint32_t row = 0; row < this->SmallOnes.size(); ++row)
+    {
+      const std::uint32_t triangle = this->SmallOnes[row];
+      cells.Rows[triangle] = row;
+      const std::uint64_t region = numbers.empty() ? 0 : numbers[triangle];
+      for (int k = 0; k < 3; ++k)
+      {
+        meetings.push_back(
+          { region << 32 | this->Places[this->Source.Triangles[triangle][k]], row, k });
+      }
+    }
+    vtkSMPTools::Sort(meetings.begin(), meetings.end(),
+      [](const Meeting& a, const Meeting& b) {
+        return a.Key != b.Key ? a.Key < b.Key
+          : a.Row != b.Row    ? a.Row < b.Row
+                              : a.Corner < b.Corner;
+      });
+    const ColorMap* map = this->Source.HasInstanceColors ? nullptr : this->Source.FindMap();
+    for (std::size_t first = 0; first < meetings.size();)
+    {
+      Corner mean;
+      float sum = 0.0f;
+      std::size_t end = first;
+      for (; end < meetings.size() && meetings[end].Key == meetings[first].Key; ++end)
+      {
+        const std::uint32_t triangle = this->SmallOnes[meetings[end].Row];
+        const float area = this->Source.GetArea(triangle);
+        const TrianglePoint middle{ triangle, 1.0f / 3.0f, 1.0f / 3.0f };
+        mean.Color += area * this->Source.GetBaseColor(middle);
+        mean.Place += area * (map ? this->Source.GetMapPlace(middle) : glm::vec2(0.0f));
+        sum += area;
+      }
+      mean.Color /= sum;
+      mean.Place /= sum;
+      for (; first < end; ++first)
+      {
+        cells.Corners[meetings[first].Row][meetings[first].Corner] = mean;
+      }
+    }
+    return cells;
   }
 
 private:
@@ -102,7 +191,7 @@ private:
     std::uint32_t Corner;
   };
 
-  void AddSteps(const SurfaceArray& array)
+  void AddRanges(const SurfaceArray& array)
   {
     for (const SurfaceArray::Component& component : array.Components)
     {
@@ -113,50 +202,92 @@ private:
         low = value < low ? value : low;
         high = value > high ? value : high;
       }
-      this->Steps.push_back(array.IsInteger ? 0.0 : std::max(ValueJump * (high - low), 0.0));
+      this->Ranges.push_back(std::max(high - low, 0.0));
     }
   }
 
-  std::uint32_t FindRoot(std::uint32_t triangle)
+  std::uint32_t FindRoot(std::uint32_t shape)
   {
-    for (; this->Next[triangle] != triangle; triangle = this->Next[triangle])
+    for (; this->Next[shape] != shape; shape = this->Next[shape])
     {
-      this->Next[triangle] = this->Next[this->Next[triangle]];
+      this->Next[shape] = this->Next[this->Next[shape]];
     }
-    return triangle;
+    return shape;
   }
 
-  void Join()
+  void JoinTwo(std::uint32_t one, std::uint32_t other)
+  {
+    one = this->FindRoot(one);
+    other = this->FindRoot(other);
+    this->Next[std::max(one, other)] = std::min(one, other);
+  }
+
+  std::vector<std::uint32_t> Number(const std::vector<float>& areasOfShapes, float minimumArea)
+  {
+    std::vector<float> areas(this->Next.size(), 0.0f);
+    for (std::uint32_t i = 0; i < areas.size(); ++i)
+    {
+      areas[this->FindRoot(i)] += areasOfShapes[i];
+    }
+    std::vector<std::uint32_t> numbers(areas.size(), 0);
+    std::uint32_t count = 0;
+    bool hasSmall = false;
+    for (std::uint32_t i = 0; i < areas.size(); ++i)
+    {
+      const std::uint32_t root = this->FindRoot(i);
+      const bool isSmall = areas[root] < minimumArea;
+      // Roots come first.
+      numbers[i] = isSmall ? 0 : root == i ? ++count : numbers[root];
+      hasSmall = hasSmall || isSmall;
+    }
+    return count + (hasSmall ? 1 : 0) > 1 ? numbers : std::vector<std::uint32_t>();
+  }
+
+  /// Spheres, and tubes that follow each other, are one where they are alike.
+  void JoinShapes()
+  {
+    for (std::uint32_t i = 1; i < this->Next.size(); ++i)
+    {
+      if (!this->Differ({ i - 1, 1.0f, 0.0f }, { i, 0.0f, 0.0f }, AnyJump))
+      {
+        this->JoinTwo(i - 1, i);
+      }
+    }
+  }
+
+  void ListUses()
   {
     const std::vector<glm::uvec3>& triangles = this->Source.Triangles;
-    std::vector<Use> uses;
-    uses.reserve(3 * triangles.size());
+    this->Uses.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
     {
       for (std::uint32_t k = 0; k < 3; ++k)
       {
         const std::uint64_t a = this->Places[triangles[i][static_cast<int>(k)]];
         const std::uint64_t b = this->Places[triangles[i][static_cast<int>((k + 1) % 3)]];
-        uses.push_back({ std::min(a, b) << 32 | std::max(a, b), i, k });
+        this->Uses.push_back({ std::min(a, b) << 32 | std::max(a, b), i, k });
       }
     }
-    vtkSMPTools::Sort(uses.begin(), uses.end(),
+    vtkSMPTools::Sort(this->Uses.begin(), this->Uses.end(),
       [](const Use& a, const Use& b)
       { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Triangle < b.Triangle; });
-    this->Next.resize(triangles.size());
-    std::iota(this->Next.begin(), this->Next.end(), 0U);
-    for (std::size_t first = 0; first < uses.size(); ++first)
+  }
+
+  /// Joins triangles that meet at an edge without a jump, of which `getJump` tells what is one.
+  template <typename GetJump>
+  void JoinTriangles(const GetJump& getJump)
+  {
+    for (std::size_t i = 0; i + 1 < this->Uses.size(); ++i)
     {
-      if (first % TrianglesOfReport == 0)
+      if (i % TrianglesOfReport == 0)
       {
-        OrAbort(this->GoOn)(static_cast<double>(first) / static_cast<double>(uses.size()));
+        OrAbort(this->GoOn)(static_cast<double>(i) / static_cast<double>(this->Uses.size()));
       }
-      if (first + 1 < uses.size() && uses[first].Edge == uses[first + 1].Edge &&
-        !this->Jumps(uses[first], uses[first + 1]))
+      const Use& one = this->Uses[i];
+      const Use& other = this->Uses[i + 1];
+      if (one.Edge == other.Edge && !this->Jumps(one, other, getJump(one, other)))
       {
-        const std::uint32_t one = this->FindRoot(uses[first].Triangle);
-        const std::uint32_t other = this->FindRoot(uses[first + 1].Triangle);
-        this->Next[std::max(one, other)] = std::min(one, other);
+        this->JoinTwo(one.Triangle, other.Triangle);
       }
     }
   }
@@ -168,7 +299,7 @@ private:
   }
 
   /// Whether anything differs at either end of an edge of two triangles.
-  bool Jumps(const Use& one, const Use& other) const
+  bool Jumps(const Use& one, const Use& other, const Jump& jump) const
   {
     for (std::uint32_t end = 0; end < 2; ++end)
     {
@@ -182,7 +313,7 @@ private:
       const std::uint32_t same = find(other.Corner) ? other.Corner : (other.Corner + 1) % 3;
       const std::uint32_t copy = this->Source.Triangles[other.Triangle][static_cast<int>(same)];
       if ((this->VariesByShape || vertex != copy) &&
-        this->Differ(GetCorner(one.Triangle, corner), GetCorner(other.Triangle, same)))
+        this->Differ(GetCorner(one.Triangle, corner), GetCorner(other.Triangle, same), jump))
       {
         return true;
       }
@@ -190,17 +321,17 @@ private:
     return false;
   }
 
-  bool Differ(const TrianglePoint& one, const TrianglePoint& other) const
+  bool Differ(const TrianglePoint& one, const TrianglePoint& other, const Jump& jump) const
   {
     const Mesh& mesh = this->Source;
     // Colours of instances do not matter within one.
     return (!mesh.HasInstanceColors &&
-             (cslf::Differ(mesh.GetBaseColor(one), mesh.GetBaseColor(other)) ||
-               cslf::Differ(mesh.GetEmission(one), mesh.GetEmission(other)))) ||
-      this->HasOtherPlace(one, other) || this->HasOtherValues(one, other);
+             (cslf::Differ(mesh.GetBaseColor(one), mesh.GetBaseColor(other), jump.Color) ||
+               cslf::Differ(mesh.GetEmission(one), mesh.GetEmission(other), jump.Color))) ||
+      this->HasOtherPlace(one, other, jump) || this->HasOtherValues(one, other, jump);
   }
 
-  bool HasOtherPlace(const TrianglePoint& one, const TrianglePoint& other) const
+  bool HasOtherPlace(const TrianglePoint& one, const TrianglePoint& other, const Jump& jump) const
   {
     const ColorMap* map = this->Source.HasInstanceColors ? nullptr : this->Source.FindMap();
     if (!map || map->IsOneColor)
@@ -209,19 +340,22 @@ private:
     }
     const glm::vec2 difference =
       glm::abs(this->Source.GetMapPlace(one) - this->Source.GetMapPlace(other));
-    return difference.x > ValueJump * map->GetSteps() || difference.y > 0.5f;
+    return difference.x > jump.Value * map->GetSteps() || difference.y > 0.5f;
   }
 
-  bool HasOtherValues(const TrianglePoint& one, const TrianglePoint& other) const
+  /// Integers may stand for things: no difference is too small for them, but that of small parts.
+  bool HasOtherValues(const TrianglePoint& one, const TrianglePoint& other, const Jump& jump) const
   {
-    std::size_t step = 0;
+    std::size_t component = 0;
     for (std::size_t i = 0; i < this->Source.GetNumberOfArrays(); ++i)
     {
-      for (std::size_t c = 0; c < this->Source.GetArray(i).Components.size(); ++c)
+      const SurfaceArray& array = this->Source.GetArray(i);
+      const double step = array.IsInteger && jump.Value < SmallJump.Value ? 0.0 : jump.Value;
+      for (std::size_t c = 0; c < array.Components.size(); ++c)
       {
         const double a = this->Source.GetArrayValue(i, c, one);
         const double b = this->Source.GetArrayValue(i, c, other);
-        if (std::abs(a - b) > this->Steps[step++] || std::isnan(a) != std::isnan(b))
+        if (std::abs(a - b) > step * this->Ranges[component++] || std::isnan(a) != std::isnan(b))
         {
           return true;
         }
@@ -232,9 +366,11 @@ private:
 
   const Mesh& Source;
   const Progress& GoOn;
-  std::vector<std::uint32_t> Places; // of the vertices: those at one place have one number
-  std::vector<std::uint32_t> Next;   // of the triangles: another one of the region
-  std::vector<double> Steps;         // of each component of arrays, what is no jump yet
+  std::vector<std::uint32_t> Places;    // of the vertices: those at one place have one number
+  std::vector<Use> Uses;                // of edges
+  std::vector<std::uint32_t> SmallOnes; // triangles of small cells
+  std::vector<std::uint32_t> Next;      // of the shapes: another one of the region
+  std::vector<double> Ranges;           // of each component of arrays
   bool HasCopies = false;
   bool VariesByShape = false;
 };
@@ -244,13 +380,14 @@ SurfaceRegions::SurfaceRegions(
   const std::vector<Mesh>& meshes, float texel, const Progress& progress)
   : First(meshes.data())
   , OfShapes(meshes.size())
+  , Small(meshes.size())
 {
   auto next = static_cast<std::uint32_t>(meshes.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)
   {
     const Mesh& mesh = meshes[i];
     OrAbort(progress)(static_cast<double>(i) / static_cast<double>(meshes.size()));
-    if (mesh.Shape != Mesh::Shapes::Triangles || mesh.Triangles.empty())
+    if (mesh.Vertices.empty())
     {
       continue;
     }
@@ -262,7 +399,11 @@ SurfaceRegions::SurfaceRegions(
     const float scale = mesh.Instances.empty() ? 1.0f : FindLargestScale(mesh);
     const float edge = scale > 0.0f ? texel / scale : 0.0f;
     std::vector<std::uint32_t>& numbers = this->OfShapes[i];
-    numbers = finder.Find(MinimumArea * edge * edge);
+    numbers = finder.Find(edge * edge);
+    if (!mesh.HasInstanceColors)
+    {
+      this->Small[i] = finder.FindSmallCells(numbers);
+    }
     // The first of them is the mesh's own number.
     std::uint32_t most = 0;
     for (std::uint32_t& number : numbers)
@@ -272,5 +413,21 @@ SurfaceRegions::SurfaceRegions(
     }
     next += most;
   }
+}
+
+glm::vec3 SurfaceRegions::GetBaseColor(const Mesh& mesh, const TrianglePoint& point) const
+{
+  const std::array<Corner, 3>* corners = this->FindCorners(mesh, point.Triangle);
+  return corners ? (1.0f - point.U - point.V) * (*corners)[0].Color +
+      point.U * (*corners)[1].Color + point.V * (*corners)[2].Color
+                 : mesh.GetBaseColor(point);
+}
+
+glm::vec2 SurfaceRegions::GetMapPlace(const Mesh& mesh, const TrianglePoint& point) const
+{
+  const std::array<Corner, 3>* corners = this->FindCorners(mesh, point.Triangle);
+  return corners ? (1.0f - point.U - point.V) * (*corners)[0].Place +
+      point.U * (*corners)[1].Place + point.V * (*corners)[2].Place
+                 : mesh.GetMapPlace(point);
 }
 }

@@ -12,6 +12,11 @@
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "Pipeline/cslfPhase.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,8 +25,11 @@ namespace cslf
 /**
  * Triangles of a mesh that meet at an edge belong to one region unless their base colours,
  * emissions, places on a map or arrays differ there: those of cells do, and those of points where
- * there are several at one place. Regions that are smaller than a texel are none of their own: all
- * those of a mesh count as one. Each mesh has regions of its own, one if it has spheres or tubes.
+ * there are several at one place. Between parts of some texels, which have equal values, any
+ * difference that files can tell counts; between smaller ones, such as fine cells, only a large
+ * one. Regions that are smaller than a texel are none of their own: all those of a mesh count as
+ * one. Spheres, and tubes that follow each other, belong to one region if they are alike. Each mesh
+ * has regions of its own.
  */
 class VTKCSLF_EXPORT SurfaceRegions
 {
@@ -41,12 +49,43 @@ public:
                                   : 0;
   }
 
+  /// The base colour, and the place on the map, if the mesh has one of its own, at a point of a
+  /// triangle. Colours of cells that are smaller than some texels are interpolated between their
+  /// corners, which have the means of the cells around them, within the region.
+  glm::vec3 GetBaseColor(const Mesh& mesh, const TrianglePoint& point) const;
+  glm::vec2 GetMapPlace(const Mesh& mesh, const TrianglePoint& point) const;
+
   bool HasSeveral(const Mesh& mesh) const
   {
     return this->First && !this->OfShapes[this->Number(mesh)].empty();
   }
 
+  /// What corners of small cells have.
+  struct Corner
+  {
+    glm::vec3 Color{ 0.0f };
+    glm::vec2 Place{ 0.0f };
+  };
+
+  /// Three corners of each small cell of a mesh.
+  struct SmallCells
+  {
+    std::vector<std::uint32_t> Rows; ///< of each triangle, that of its corners, or None; or none
+    std::vector<std::array<Corner, 3>> Corners;
+  };
+
 private:
+  static constexpr std::uint32_t None = 0xffffffffU;
+
+  /// The corners of a small cell, or null.
+  const std::array<Corner, 3>* FindCorners(const Mesh& mesh, std::uint32_t triangle) const
+  {
+    const SmallCells* cells = this->First ? &this->Small[this->Number(mesh)] : nullptr;
+    return cells && !cells->Rows.empty() && cells->Rows[triangle] != None
+      ? &cells->Corners[cells->Rows[triangle]]
+      : nullptr;
+  }
+
   std::size_t Number(const Mesh& mesh) const
   {
     return static_cast<std::size_t>(&mesh - this->First);
@@ -54,6 +93,7 @@ private:
 
   const Mesh* First = nullptr;
   std::vector<std::vector<std::uint32_t>> OfShapes; // of each mesh, or none
+  std::vector<SmallCells> Small;                    // of each mesh
 };
 }
 

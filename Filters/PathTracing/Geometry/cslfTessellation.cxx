@@ -186,6 +186,7 @@ SurfaceMesh TessellateOne(
     {
       continue;
     }
+    const bool isRound = mesh.Shape != Mesh::Shapes::Triangles;
     switch (mesh.Shape)
     {
       case Mesh::Shapes::Triangles:
@@ -202,6 +203,10 @@ SurfaceMesh TessellateOne(
       case Mesh::Shapes::Tubes:
         AddTube(mesh, shape, tolerance, result);
         break;
+    }
+    if (isDivided && isRound)
+    {
+      result.Regions.resize(result.Points.size(), regions->Get(mesh, shape));
     }
   }
   if (regions && !isDivided)
