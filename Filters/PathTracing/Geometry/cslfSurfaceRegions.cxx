@@ -7,6 +7,7 @@
 #include "cslfTessellation.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vtkSMPTools.h>
@@ -35,9 +36,10 @@ constexpr Jump AnyJump{ 0.5f / 255.0f, 1e-5 };
 constexpr Jump LargeJump{ 4.0f / 255.0f, 1e-3 };
 constexpr Jump SmallJump{ 0.1f, 0.1 };
 
-/// In square texels: what is large, and the smallest region.
-constexpr float LargeArea = 4.0f;
-constexpr float MinimumArea = 1.0f;
+/// Twice the area over the perimeter, in texels, which is the width of a strip and half that of a
+/// square: of what is large, and of the smallest region.
+constexpr float LargeWidth = 0.75f;
+constexpr float MinimumWidth = 0.4f;
 
 /// The triangles between two reports of progress.
 constexpr std::size_t TrianglesOfReport = 1 << 16;
@@ -83,7 +85,7 @@ public:
   bool CanHaveSeveral() const { return this->HasCopies || this->VariesByShape; }
 
   /// Numbers from 0 of the shapes, where 0 is that of regions that are too small. Nothing if there
-  /// is but one. Given the area of a texel.
+  /// is but one. Given the edge of a texel.
   std::vector<std::uint32_t> Find(float texel)
   {
     const std::uint32_t count = this->Source.GetNumberOfShapes();
@@ -92,34 +94,26 @@ public:
     if (this->Source.Shape != Mesh::Shapes::Triangles)
     {
       this->JoinShapes();
-      return this->Number(std::vector<float>(count, 1.0f), 0.0f);
+      return this->Number(std::vector<float>(count, HUGE_VALF), 0.0f);
     }
     this->ListUses();
     this->JoinTriangles([](const Use&, const Use&) { return AnyJump; });
-    // The parts that are alike, and their areas.
-    std::vector<std::uint32_t> parts(count);
-    std::vector<float> areas(count, 0.0f);
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      parts[i] = this->FindRoot(i);
-      areas[parts[i]] += this->Source.GetArea(i);
-    }
-    const auto isLarge = [&](const Use& use)
-    { return areas[parts[use.Triangle]] >= LargeArea * texel; };
-    this->JoinTriangles([&](const Use& one, const Use& other)
-      { return isLarge(one) && isLarge(other) ? LargeJump : SmallJump; });
+    const std::vector<float> widths = this->MeasureWidths();
+    const float large = LargeWidth * texel;
+    this->JoinTriangles(
+      [&](const Use& one, const Use& other)
+      {
+        return widths[one.Triangle] >= large && widths[other.Triangle] >= large ? LargeJump
+                                                                                : SmallJump;
+      });
     for (std::uint32_t i = 0; i < count && this->VariesByShape; ++i)
     {
-      if (areas[parts[i]] < LargeArea * texel)
+      if (widths[i] < large)
       {
         this->SmallOnes.push_back(i);
       }
     }
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      areas[i] = this->Source.GetArea(i);
-    }
-    return this->Number(areas, MinimumArea * texel);
+    return this->Number(this->MeasureWidths(), MinimumWidth * texel);
   }
 
   /// The corners of small cells, after Find.
@@ -144,6 +138,11 @@ public:
     for (std::uint32_t row = 0; row < this->SmallOnes.size(); ++row)
     {
       const std::uint32_t triangle = this->SmallOnes[row];
+      // Those of regions that are too small have nothing in common.
+      if (!numbers.empty() && numbers[triangle] == 0)
+      {
+        continue;
+      }
       cells.Rows[triangle] = row;
       const std::uint64_t region = numbers.empty() ? 0 : numbers[triangle];
       for (int k = 0; k < 3; ++k)
@@ -222,20 +221,54 @@ private:
     this->Next[std::max(one, other)] = std::min(one, other);
   }
 
-  std::vector<std::uint32_t> Number(const std::vector<float>& areasOfShapes, float minimumArea)
+  /// Twice the area over the perimeter of that to which each triangle is joined.
+  std::vector<float> MeasureWidths()
   {
-    std::vector<float> areas(this->Next.size(), 0.0f);
-    for (std::uint32_t i = 0; i < areas.size(); ++i)
+    const std::vector<glm::uvec3>& triangles = this->Source.Triangles;
+    std::vector<float> areas(triangles.size(), 0.0f);
+    std::vector<float> perimeters(triangles.size(), 0.0f);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
     {
-      areas[this->FindRoot(i)] += areasOfShapes[i];
+      areas[this->FindRoot(i)] += this->Source.GetArea(i);
     }
-    std::vector<std::uint32_t> numbers(areas.size(), 0);
-    std::uint32_t count = 0;
-    bool hasSmall = false;
-    for (std::uint32_t i = 0; i < areas.size(); ++i)
+    for (std::size_t first = 0; first < this->Uses.size();)
+    {
+      const Use& use = this->Uses[first];
+      const glm::uvec3& corners = triangles[use.Triangle];
+      const float length =
+        glm::distance(this->Source.Vertices[corners[static_cast<int>(use.Corner)]],
+          this->Source.Vertices[corners[static_cast<int>((use.Corner + 1) % 3)]]);
+      std::size_t end = first;
+      bool isInner = true;
+      for (; end < this->Uses.size() && this->Uses[end].Edge == use.Edge; ++end)
+      {
+        isInner =
+          isInner && this->FindRoot(this->Uses[end].Triangle) == this->FindRoot(use.Triangle);
+      }
+      isInner = isInner && end - first > 1;
+      for (; first < end; ++first)
+      {
+        perimeters[this->FindRoot(this->Uses[first].Triangle)] += isInner ? 0.0f : length;
+      }
+    }
+    std::vector<float> widths(triangles.size());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
     {
       const std::uint32_t root = this->FindRoot(i);
-      const bool isSmall = areas[root] < minimumArea;
+      widths[i] = perimeters[root] > 0.0f ? 2.0f * areas[root] / perimeters[root] : HUGE_VALF;
+    }
+    return widths;
+  }
+
+  std::vector<std::uint32_t> Number(const std::vector<float>& widths, float minimumWidth)
+  {
+    std::vector<std::uint32_t> numbers(widths.size(), 0);
+    std::uint32_t count = 0;
+    bool hasSmall = false;
+    for (std::uint32_t i = 0; i < widths.size(); ++i)
+    {
+      const std::uint32_t root = this->FindRoot(i);
+      const bool isSmall = widths[i] < minimumWidth;
       // Roots come first.
       numbers[i] = isSmall ? 0 : root == i ? ++count : numbers[root];
       hasSmall = hasSmall || isSmall;
@@ -399,7 +432,7 @@ SurfaceRegions::SurfaceRegions(
     const float scale = mesh.Instances.empty() ? 1.0f : FindLargestScale(mesh);
     const float edge = scale > 0.0f ? texel / scale : 0.0f;
     std::vector<std::uint32_t>& numbers = this->OfShapes[i];
-    numbers = finder.Find(edge * edge);
+    numbers = finder.Find(edge);
     if (!mesh.HasInstanceColors)
     {
       this->Small[i] = finder.FindSmallCells(numbers);
