@@ -82,7 +82,13 @@ public:
   }
 
   /// Whether values can jump at all.
-  bool CanHaveSeveral() const { return this->HasCopies || this->VariesByShape; }
+  bool CanHaveSeveral() const
+  {
+    const Mesh& mesh = this->Source;
+    const bool varies = !mesh.HasOneColor() || mesh.EmissionsOf != Mesh::ColorsOf::None ||
+      mesh.Textures.Emission || mesh.GetNumberOfArrays() > 0;
+    return varies && (this->HasCopies || this->VariesByShape);
+  }
 
   /// Numbers from 0 of the shapes, where 0 is that of regions that are too small. Nothing if there
   /// is but one. Given the edge of a texel.
