@@ -133,11 +133,16 @@ SurfaceArray MakeSurfaceArray(
     SurfaceArray::Component& component = result.Components.emplace_back();
     const char* own = array->GetComponentName(c);
     component.Name = own ? own : "";
+    // What is infinite is at the ends of the finite range.
+    double range[2];
+    array->GetFiniteRange(range, c);
     component.Values.reserve(tuples.size());
     for (const vtkIdType tuple : tuples)
     {
       const double value = array->GetComponent(tuple, c);
-      component.Values.push_back(std::isfinite(value) ? value : vtkMath::Nan());
+      component.Values.push_back(range[0] <= range[1] && !std::isnan(value)
+          ? std::clamp(value, range[0], range[1])
+          : vtkMath::Nan());
     }
   }
   return result;
