@@ -53,7 +53,8 @@ struct VTKCSLF_EXPORT SurfaceArray
   std::string GetScalarName(int component) const;
 };
 
-/// An array of VTK at some of its tuples. Numbers are integers if the array's type is.
+/// An array of VTK at some of its tuples. Numbers are integers if the array's type is. What is
+/// infinite becomes an end of the finite range.
 SurfaceArray VTKCSLF_EXPORT MakeSurfaceArray(
   vtkDataArray* array, const std::string& name, const std::vector<vtkIdType>& tuples);
 
