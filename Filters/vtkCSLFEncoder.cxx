@@ -282,13 +282,13 @@ std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
 // encoder.
 std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& fileName)
 {
-  const cslf::TracedScene& scene = *FindScene(this->GetInputConnection(0, 0));
+  const cslf::TracedScene* scene = FindScene(this->GetInputConnection(0, 0));
   vtkNew<vtkCSLFDecoder> decoder;
   decoder->SetFileName(fileName.c_str());
   decoder->Update(1);
   std::string error;
   const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
-  if (!field || GetSceneHash(*field) != scene.GetHash())
+  if (!scene || !field || GetSceneHash(*field) != scene->GetHash())
   {
     return std::nullopt;
   }
@@ -297,7 +297,7 @@ std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& file
   cslf::Certificate certificate;
   const auto measure = [&]
   {
-    return cslf::MeasureCertificate(decoder->GetOutputPort(0), decoder->GetGeometry(), scene.Trace,
+    return cslf::MeasureCertificate(decoder->GetOutputPort(0), decoder->GetGeometry(), scene->Trace,
       {}, report, certificate, error);
   };
   if (!cslf::Guard(measure, error))
@@ -309,7 +309,7 @@ std::optional<cslf::Certificate> vtkCSLFEncoder::Certify(const std::string& file
     }
     return std::nullopt;
   }
-  certificate.Scene = scene.GetHash();
+  certificate.Scene = scene->GetHash();
   return certificate;
 }
 

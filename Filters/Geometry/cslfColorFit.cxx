@@ -264,7 +264,7 @@ void ColorFit::Solve(const std::function<void(double)>& proceed)
   const std::size_t arrays = this->Samples.empty() ? 0 : this->Samples.front().Arrays.size();
   const int kinds = hasMaps ? FirstArrayKind + static_cast<int>(arrays) : PlaceKind;
   this->Colors.assign(FirstArrayKind + arrays, {});
-  // Only this thread may report.
+  // Only this thread may report, which it does while it computes.
   std::atomic<bool> isStopped{ false };
   const auto goOn = [&, caller = std::this_thread::get_id()]
   {

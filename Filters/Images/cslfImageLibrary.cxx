@@ -97,6 +97,11 @@ public:
     }
     const std::string reason = OIIO::geterror();
     error = error.empty() ? reason : error;
+    if (this->Input && this->Input->spec().depth > 1)
+    {
+      error = "It is a volume.";
+      this->Input.reset();
+    }
     if (this->Input)
     {
       this->Header = ToHeader(this->Input->spec());

@@ -122,8 +122,8 @@ std::string SurfaceArray::GetScalarName(int component) const
                        : name);
 }
 
-SurfaceArray MakeSurfaceArray(
-  vtkDataArray* array, const std::string& name, const std::vector<vtkIdType>& tuples)
+SurfaceArray MakeSurfaceArray(vtkDataArray* array, const std::string& name,
+  const std::vector<vtkIdType>& tuples, bool keepsInfinite)
 {
   SurfaceArray result;
   result.Name = name;
@@ -133,16 +133,11 @@ SurfaceArray MakeSurfaceArray(
     SurfaceArray::Component& component = result.Components.emplace_back();
     const char* own = array->GetComponentName(c);
     component.Name = own ? own : "";
-    // What is infinite is at the ends of the finite range.
-    double range[2];
-    array->GetFiniteRange(range, c);
     component.Values.reserve(tuples.size());
     for (const vtkIdType tuple : tuples)
     {
       const double value = array->GetComponent(tuple, c);
-      component.Values.push_back(range[0] <= range[1] && !std::isnan(value)
-          ? std::clamp(value, range[0], range[1])
-          : vtkMath::Nan());
+      component.Values.push_back(keepsInfinite || std::isfinite(value) ? value : vtkMath::Nan());
     }
   }
   return result;

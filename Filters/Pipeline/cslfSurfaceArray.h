@@ -54,9 +54,9 @@ struct VTKCSLF_EXPORT SurfaceArray
 };
 
 /// An array of VTK at some of its tuples. Numbers are integers if the array's type is. What is
-/// infinite becomes an end of the finite range.
-SurfaceArray VTKCSLF_EXPORT MakeSurfaceArray(
-  vtkDataArray* array, const std::string& name, const std::vector<vtkIdType>& tuples);
+/// infinite is no number unless it is kept.
+SurfaceArray VTKCSLF_EXPORT MakeSurfaceArray(vtkDataArray* array, const std::string& name,
+  const std::vector<vtkIdType>& tuples, bool keepsInfinite = false);
 
 ///@{
 /// Gives a geometry arrays of point data, whose names are in its field data, and reads them. None

@@ -199,8 +199,8 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     ``"z"``, ``"-x"``, ``"-y"`` or ``"-z"``. The environment of a ``sampler`` is kept unless
     ``light`` or ``up`` is given.
 
-    ``arrays`` are names of arrays of points or cells, or ``"all"``, that the field's surfaces keep besides
-    the one that colours them, so that ``cslf.show`` can colour by them later.
+    ``arrays`` are names of arrays of points or cells, or ``"all"``, that the field's surfaces
+    keep besides the one that colours them, so that ``cslf.show`` can colour by them later.
 
     ``interreflection`` is ``"colored"`` (default) or ``"neutral"``: whether surfaces with a colour
     map light each other in their colours, or as a grey of their mean albedo would, which fits all

@@ -467,7 +467,8 @@ bool EncodeSession::CodeNextTasks(bool& isDone)
   isDone = tasks.empty();
   std::vector<CodingTask> undone;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
-    [this](const CodingTask& task) { return task.IsTrial || this->Assembler->IsMissing(task.Group); });
+    [this](const CodingTask& task)
+    { return task.IsTrial || this->Assembler->IsMissing(task.Group); });
   return this->Peers.DoTasks(
            std::move(undone), this->GetGroupsAtOnce(),
            [this](const std::vector<CodingTask>& mine, std::vector<CodingResult>& results)

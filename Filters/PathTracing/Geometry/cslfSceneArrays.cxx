@@ -102,8 +102,9 @@ void SceneArrays::AddRange(const std::vector<double>& values, Entry& entry, std:
   for (const double value : values)
   {
     entry.HasHoles = entry.HasHoles || std::isnan(value);
-    first = value < first ? value : first;
-    last = value > last ? value : last;
+    // What is infinite is at the ends of the range.
+    first = std::isfinite(value) ? std::min(first, value) : first;
+    last = std::isfinite(value) ? std::max(last, value) : last;
   }
 }
 
@@ -123,8 +124,8 @@ void SceneArrays::Get(
       isKnown = !std::isnan(value);
       if (isKnown)
       {
-        values[place / 3][static_cast<int>(place % 3)] =
-          last > first ? static_cast<float>((value - first) / (last - first)) : 0.0f;
+        values[place / 3][static_cast<int>(place % 3)] = static_cast<float>(
+          last > first ? std::clamp((value - first) / (last - first), 0.0, 1.0) : 0.0);
       }
     }
     if (entry.HasHoles)

@@ -30,8 +30,8 @@ struct Jump
   double Value;
 };
 
-/// Between triangles that are alike, between parts that are larger than some texels, and between
-/// smaller ones, whose values may vary smoothly.
+/// Between triangles that are alike, between wide parts, and between narrow ones, whose values may
+/// vary smoothly.
 constexpr Jump AnyJump{ 0.5f / 255.0f, 1e-5 };
 constexpr Jump LargeJump{ 4.0f / 255.0f, 1e-3 };
 constexpr Jump SmallJump{ 0.1f, 0.1 };
@@ -112,7 +112,8 @@ public:
         return widths[one.Triangle] >= large && widths[other.Triangle] >= large ? LargeJump
                                                                                 : SmallJump;
       });
-    for (std::uint32_t i = 0; i < count && this->VariesByShape; ++i)
+    const bool hasCellColors = this->Source.Coloring == Mesh::ColorsOf::Triangles;
+    for (std::uint32_t i = 0; i < count && hasCellColors; ++i)
     {
       if (widths[i] < large)
       {
@@ -127,7 +128,7 @@ public:
   {
     using Corner = SurfaceRegions::Corner;
     SurfaceRegions::SmallCells cells;
-    if (this->SmallOnes.empty())
+    if (this->SmallOnes.empty() || !this->HasRegions)
     {
       return cells;
     }
@@ -200,14 +201,13 @@ private:
   {
     for (const SurfaceArray::Component& component : array.Components)
     {
-      double low = HUGE_VAL;
-      double high = -HUGE_VAL;
+      std::array<double, 2> range{ HUGE_VAL, -HUGE_VAL };
       for (const double value : component.Values)
       {
-        low = value < low ? value : low;
-        high = value > high ? value : high;
+        range[0] = std::isfinite(value) ? std::min(range[0], value) : range[0];
+        range[1] = std::isfinite(value) ? std::max(range[1], value) : range[1];
       }
-      this->Ranges.push_back(std::max(high - low, 0.0));
+      this->Ranges.push_back(range[0] <= range[1] ? range : std::array<double, 2>{});
     }
   }
 
@@ -279,6 +279,7 @@ private:
       numbers[i] = isSmall ? 0 : root == i ? ++count : numbers[root];
       hasSmall = hasSmall || isSmall;
     }
+    this->HasRegions = count > 0;
     return count + (hasSmall ? 1 : 0) > 1 ? numbers : std::vector<std::uint32_t>();
   }
 
@@ -392,9 +393,11 @@ private:
       const double step = array.IsInteger && jump.Value < SmallJump.Value ? 0.0 : jump.Value;
       for (std::size_t c = 0; c < array.Components.size(); ++c)
       {
-        const double a = this->Source.GetArrayValue(i, c, one);
-        const double b = this->Source.GetArrayValue(i, c, other);
-        if (std::abs(a - b) > step * this->Ranges[component++] || std::isnan(a) != std::isnan(b))
+        const auto& [low, high] = this->Ranges[component++];
+        // What is infinite is at the ends of the range, and what is no number stays so.
+        const double a = std::clamp(this->Source.GetArrayValue(i, c, one), low, high);
+        const double b = std::clamp(this->Source.GetArrayValue(i, c, other), low, high);
+        if (std::abs(a - b) > step * (high - low) || std::isnan(a) != std::isnan(b))
         {
           return true;
         }
@@ -405,13 +408,14 @@ private:
 
   const Mesh& Source;
   const Progress& GoOn;
-  std::vector<std::uint32_t> Places;    // of the vertices: those at one place have one number
-  std::vector<Use> Uses;                // of edges
-  std::vector<std::uint32_t> SmallOnes; // triangles of small cells
-  std::vector<std::uint32_t> Next;      // of the shapes: another one of the region
-  std::vector<double> Ranges;           // of each component of arrays
+  std::vector<std::uint32_t> Places;         // of the vertices: those at one place have one number
+  std::vector<Use> Uses;                     // of edges
+  std::vector<std::uint32_t> SmallOnes;      // triangles of small cells
+  std::vector<std::uint32_t> Next;           // of the shapes: another one of the region
+  std::vector<std::array<double, 2>> Ranges; // of each component of arrays
   bool HasCopies = false;
   bool VariesByShape = false;
+  bool HasRegions = false; // whether any is large enough
 };
 }
 

@@ -25,11 +25,11 @@ namespace cslf
 /**
  * Triangles of a mesh that meet at an edge belong to one region unless their base colours,
  * emissions, places on a map or arrays differ there: those of cells do, and those of points where
- * there are several at one place. Between parts of some texels, which have equal values, any
- * difference that files can tell counts; between smaller ones, such as fine cells, only a large
- * one. Regions that are smaller than a texel are none of their own: all those of a mesh count as
- * one. Spheres, and tubes that follow each other, belong to one region if they are alike. Each mesh
- * has regions of its own.
+ * there are several at one place. Between parts of equal values that are about as wide as
+ * a texel, or wider, any difference that files can tell counts; between narrower ones, such as fine
+ * cells, only a large one. Regions that are much narrower are none of their own: all those of a
+ * mesh count as one. Spheres, and tubes that follow each other, belong to one region if they are
+ * alike. Each mesh has regions of its own.
  */
 class VTKCSLF_EXPORT SurfaceRegions
 {
@@ -50,7 +50,7 @@ public:
   }
 
   /// The base colour, and the place on the map, if the mesh has one of its own, at a point of a
-  /// triangle. Colours of cells that are smaller than some texels are interpolated between their
+  /// triangle. Colours of narrow cells are interpolated between their
   /// corners, which have the means of the cells around them, within the region.
   glm::vec3 GetBaseColor(const Mesh& mesh, const TrianglePoint& point) const;
   glm::vec2 GetMapPlace(const Mesh& mesh, const TrianglePoint& point) const;

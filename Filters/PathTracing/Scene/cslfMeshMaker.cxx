@@ -481,7 +481,13 @@ private:
   /// the colours that are interpolated there.
   void AddMapPlaces()
   {
-    if (this->Source.ColorMaps.size() != 1 || this->Source.Textures.BaseColor)
+    if (this->Result.HasInstanceColors)
+    {
+      this->Result.Map = nullptr;
+      this->Result.MapPlaces.clear();
+    }
+    if (this->Source.ColorMaps.size() != 1 || this->Source.Textures.BaseColor ||
+      !this->Result.MapPlaces.empty())
     {
       return;
     }
@@ -519,15 +525,16 @@ private:
 
   void AddArrays()
   {
+    constexpr bool keepsInfinite = true;
     for (vtkDataArray* array : this->Source.Arrays)
     {
       this->Result.Arrays.push_back(
-        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Points));
+        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Points, keepsInfinite));
     }
     for (vtkDataArray* array : this->Source.CellArrays)
     {
       this->Result.ShapeArrays.push_back(
-        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Cells));
+        MakeSurfaceArray(array, NameScalars(array->GetName()), this->Cells, keepsInfinite));
     }
   }
 

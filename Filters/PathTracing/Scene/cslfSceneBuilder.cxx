@@ -375,11 +375,14 @@ private:
   {
     block.Arrays = this->FindArrays(block.Data->GetPointData());
     block.CellArrays = this->FindArrays(block.Data->GetCellData());
-    block.CellArrays.erase(std::remove_if(block.CellArrays.begin(), block.CellArrays.end(),
-                             [&block](vtkDataArray* array) {
-                               return block.Data->GetPointData()->HasArray(array->GetName()) != 0;
-                             }),
-      block.CellArrays.end());
+    const auto isTaken = [&block](vtkDataArray* array)
+    {
+      const std::string name = array->GetName();
+      return std::any_of(block.Arrays.begin(), block.Arrays.end(),
+        [&name](vtkDataArray* other) { return name == other->GetName(); });
+    };
+    std::vector<vtkDataArray*>& ofCells = block.CellArrays;
+    ofCells.erase(std::remove_if(ofCells.begin(), ofCells.end(), isTaken), ofCells.end());
   }
 
   std::vector<vtkDataArray*> FindArrays(vtkDataSetAttributes* data) const
