@@ -195,16 +195,11 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
   , ScalarVisibility(options::ScalarVisibility.Default)
   , InterpolateDisplayedColors(options::InterpolateDisplayedColors.Default)
   , DistributedScene(options::DistributedScene.Default)
-  , Internals(std::make_unique<vtkInternals>())
+  , Internals(std::make_unique<vtkInternals>(*this))
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
   this->SetController(vtkMultiProcessController::GetGlobalController());
-  this->Internals->Offered.GetHash = [this] { return this->GetSceneHash(); };
-  this->Internals->Offered.Trace = [this](const std::vector<cslf::PixelBeam>& beams, int samples,
-                                     int seed, const cslf::Progress& progress,
-                                     std::vector<cslf::TracedPixel>& pixels)
-  { return this->TracePixels(beams, samples, seed, progress, pixels); };
 }
 
 vtkCSLFPathTracer::~vtkCSLFPathTracer()

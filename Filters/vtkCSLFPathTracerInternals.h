@@ -23,6 +23,12 @@
 
 struct vtkCSLFPathTracer::vtkInternals
 {
+  explicit vtkInternals(vtkCSLFPathTracer& tracer)
+    : Offered{ [&tracer] { return tracer.GetSceneHash(); },
+      [&tracer](auto&&... arguments) { return tracer.TracePixels(arguments...); } }
+  {
+  }
+
   vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   vtkSmartPointer<vtkCSLFEnvironment> Environment = vtkSmartPointer<vtkCSLFEnvironment>::New();

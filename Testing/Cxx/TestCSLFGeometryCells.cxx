@@ -163,31 +163,19 @@ void TestSheet()
   Check(sampler->GetGeometry(), "A sheet");
 }
 
-/// Pieces of one surface are joined and sorted.
-void TestPieces()
+/// Pieces of one surface are joined and sorted; blocks that touch each other have borders like
+/// cells.
+void TestParts(bool arePieces)
 {
-  vtkNew<vtkMultiBlockDataSet> pieces;
-  pieces->SetBlock(0, MakeSheet(3, Cells));
-  pieces->SetBlock(1, MakeSheet(0, 3));
+  vtkNew<vtkMultiBlockDataSet> parts;
+  parts->SetBlock(0, MakeSheet(3, Cells));
+  parts->SetBlock(1, MakeSheet(0, 3));
   const auto sampler = MakeSampler();
-  sampler->DistributedSceneOn();
+  sampler->SetDistributedScene(arePieces);
   sampler->GetSurfaceArraySelection()->EnableArray("Number");
-  sampler->SetInputData(pieces);
+  sampler->SetInputData(parts);
   sampler->Update();
-  Check(sampler->GetGeometry(), "Pieces");
-}
-
-/// Blocks that touch each other have borders like cells.
-void TestBlocks()
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeSheet(3, Cells));
-  blocks->SetBlock(1, MakeSheet(0, 3));
-  const auto sampler = MakeSampler();
-  sampler->GetSurfaceArraySelection()->EnableArray("Number");
-  sampler->SetInputData(blocks);
-  sampler->Update();
-  Check(sampler->GetGeometry(), "Blocks");
+  Check(sampler->GetGeometry(), arePieces ? "Pieces" : "Blocks");
 }
 
 void TestRenderer()
@@ -334,8 +322,8 @@ void TestCopiedPoints()
 int TestCSLFGeometryCells(int, char*[])
 {
   TestSheet();
-  TestPieces();
-  TestBlocks();
+  TestParts(true);
+  TestParts(false);
   TestRenderer();
   TestLines();
   TestSmallCells();

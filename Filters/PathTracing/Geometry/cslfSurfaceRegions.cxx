@@ -138,7 +138,7 @@ public:
       std::uint32_t Row;
       int Corner;
     };
-    cells.Rows.assign(this->Source.Triangles.size(), 0xffffffffU);
+    cells.Rows.assign(this->Source.Triangles.size(), SurfaceRegions::None);
     cells.Corners.resize(this->SmallOnes.size());
     std::vector<Meeting> meetings;
     meetings.reserve(3 * this->SmallOnes.size());

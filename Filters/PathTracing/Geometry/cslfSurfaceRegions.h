@@ -74,9 +74,9 @@ public:
     std::vector<std::array<Corner, 3>> Corners;
   };
 
-private:
   static constexpr std::uint32_t None = 0xffffffffU;
 
+private:
   /// The corners of a small cell, or null.
   const std::array<Corner, 3>* FindCorners(const Mesh& mesh, std::uint32_t triangle) const
   {
