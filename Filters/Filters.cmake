@@ -27,7 +27,7 @@ cslf_add(Filters/Parallel Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter ParallelFor SurfaceArray
+  ArrayLayout ColorMap FieldArrays FieldStore FieldStream GeometryArrays Guard Interpreter MapImage ParallelFor SurfaceArray
   Phase PolygonFill Requests ScenePipeline TableCopy TriangleList ValidPolyData
   VTKCompatibility)
 
@@ -115,7 +115,7 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/Parallel SceneGather)
   cslf_add(Filters/PathTracing/Geometry
-    GeometryMaker SceneArrays SeenPlaces ShapeGroups SurfaceLight SurfaceRegions Tessellation)
+    GeometryMaker SceneArrays SceneMaps SeenPlaces ShapeGroups SurfaceLight SurfaceRegions Tessellation)
   cslf_add(Filters/PathTracing/Lights
     Environment LightBounds LightTree LocalLights PointLight)
   cslf_add(Filters/PathTracing/Materials

@@ -248,7 +248,7 @@ private:
 
 /// The light that a surface with a base colour reflects, as PackColor packs it. Brighter light than
 /// 1 does not occur here, see FindBalls.
-std::uint32_t PackLight(const glm::vec4& code, const glm::vec4& base)
+std::uint32_t PackLight(const glm::vec4& code, const glm::vec3& base)
 {
   static const LightDecoder decoder;
   static const ByteEncoder encoder;

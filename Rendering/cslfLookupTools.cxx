@@ -157,14 +157,22 @@ void SurfacePicture::UploadMaps(vtkOpenGLRenderWindow* window, const ShownMaps* 
   }
   if (!earlier || !this->Maps->HasPlacesOf(*earlier))
   {
-    const std::vector<glm::vec2> places = this->Maps->ListPlaces(mesh.Mapped);
+    const std::vector<glm::vec3> places = this->Maps->ListPlaces(mesh.Mapped);
     this->PlaceBuffer->Upload(
-      &places.front().x, 2 * places.size(), vtkOpenGLBufferObject::ArrayBuffer);
+      &places.front().x, 3 * places.size(), vtkOpenGLBufferObject::ArrayBuffer);
   }
   std::vector<glm::vec4> image = this->Maps->GetImage();
   Renew(this->MapColors, window, vtkTextureObject::Nearest);
   this->MapColors->Create2DFromRaw(static_cast<unsigned int>(this->Maps->GetWidth()),
     static_cast<unsigned int>(this->Maps->GetHeight()), 4, VTK_FLOAT, image.data());
+  const std::vector<MapImage::Pixel>& pixels = this->Maps->GetPixels();
+  if (!pixels.empty() && !(earlier && earlier->GetPixels() == pixels))
+  {
+    std::vector<MapImage::Pixel> copy = pixels; // VTK wants them to be variable
+    Renew(this->MapPixels, window, vtkTextureObject::Nearest);
+    this->MapPixels->Create2DFromRaw(static_cast<unsigned int>(this->Maps->GetPixelWidth()),
+      static_cast<unsigned int>(this->Maps->GetPixelHeight()), 4, VTK_UNSIGNED_CHAR, copy.data());
+  }
 }
 
 void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
@@ -173,6 +181,7 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
   const std::string options = std::string(hasBackColors ? "#define BACK_COLORS\n" : "") +
     (this->Mesh->IsBright ? "#define BRIGHT\n" : "") +
     (this->Mesh->IsAlone ? "#define ALONE\n" : "") + (this->Maps ? "#define COLOR_MAPS\n" : "") +
+    (this->Maps && !this->Maps->GetPixels().empty() ? "#define IMAGES\n" : "") +
     (this->Maps && this->Mesh->IsLinear ? "#define LINEAR_COLOR\n" : "") +
     (this->Planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(this->Planes) : "");
   std::string vertex = cslfGeometryVS;
@@ -197,7 +206,7 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window)
   if (this->Maps)
   {
     this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->PlaceBuffer,
-      "vertexPlace", 0, 2 * sizeof(float), VTK_FLOAT, 2, false);
+      "vertexPlace", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
   }
 }
 
@@ -290,12 +299,21 @@ void SurfacePicture::DrawMesh(vtkOpenGLRenderWindow* window, const View& view)
   {
     this->MapColors->Activate();
     program->SetUniformi("MapColors", this->MapColors->GetTextureUnit());
+    if (!this->Maps->GetPixels().empty())
+    {
+      this->MapPixels->Activate();
+      program->SetUniformi("MapPixels", this->MapPixels->GetTextureUnit());
+    }
   }
   const bool isWhole = !view.IsEyeInside && view.PlanesCC.empty() && !IsCut(view.CCDC, *this->Mesh);
   this->DrawTriangles(state, view.Level, isWhole && !IsMirrored(view.CCDC), !isWhole);
   if (this->Maps)
   {
     this->MapColors->Deactivate();
+    if (!this->Maps->GetPixels().empty())
+    {
+      this->MapPixels->Deactivate();
+    }
   }
   if (isWhole)
   {
@@ -364,6 +382,7 @@ void SurfacePicture::Release(vtkWindow* window)
   this->Colors->ReleaseGraphicsResources(window);
   this->Depths->ReleaseGraphicsResources(window);
   this->MapColors->ReleaseGraphicsResources(window);
+  this->MapPixels->ReleaseGraphicsResources(window);
   this->PlaceBuffer->ReleaseGraphicsResources();
   this->PointBuffer->ReleaseGraphicsResources();
   this->ColorBuffer->ReleaseGraphicsResources();

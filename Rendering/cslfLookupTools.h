@@ -111,6 +111,7 @@ private:
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;
   vtkNew<vtkTextureObject> MapColors;
+  vtkNew<vtkTextureObject> MapPixels;
   vtkNew<vtkOpenGLBufferObject> PlaceBuffer;
   vtkNew<vtkOpenGLBufferObject> PointBuffer;
   vtkNew<vtkOpenGLBufferObject> ColorBuffer;

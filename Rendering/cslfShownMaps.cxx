@@ -28,7 +28,7 @@ constexpr vtkIdType PointGrain = 10000;
 bool HaveSamePlaces(const ColorMap& a, const ColorMap& b)
 {
   return a.Range[0] == b.Range[0] && a.Range[1] == b.Range[1] &&
-    a.IsLogarithmic == b.IsLogarithmic && a.GetSteps() == b.GetSteps();
+    a.IsLogarithmic == b.IsLogarithmic && a.GetSteps() == b.GetSteps() && a.Image == b.Image;
 }
 
 std::string DescribeRange(const double range[2])
@@ -110,7 +110,7 @@ ColorMap MakeMapOf(const SurfaceArray& array, int component, const std::vector<C
     array.GetRange(component).value_or(std::array<double, 2>{ 0.0, 1.0 });
   range[1] = range[1] > range[0] ? range[1] : range[0] + 1.0;
   const auto colors =
-    std::find_if(maps.begin(), maps.end(), [](const ColorMap& map) { return !map.IsOneColor; });
+    std::find_if(maps.begin(), maps.end(), [](const ColorMap& map) { return map.HasScalars(); });
   ColorMap map = colors != maps.end() ? *colors : MakeColorMap(vtkNew<vtkLookupTable>());
   map.IsLogarithmic = false;
   std::copy(range.begin(), range.end(), map.Range);
@@ -124,7 +124,7 @@ ColorMap Apply(const ColorMap& own, const MapChoice& choice, bool isSelected, st
 {
   if (choice.Plain)
   {
-    return own.IsOneColor ? own : Paint(own, *choice.Plain);
+    return own.HasScalars() ? Paint(own, *choice.Plain) : own;
   }
   if (!isSelected)
   {
@@ -149,10 +149,15 @@ ShownMaps::ShownMaps(std::vector<ColorMap> maps, std::vector<ShownArray> arrays)
 {
   for (const ColorMap& map : this->Maps)
   {
-    this->Width = std::max(this->Width, map.GetSteps() + 2);
+    this->Width = std::max(this->Width, static_cast<int>(map.Colors.size()));
   }
   for (const ColorMap& map : this->Maps)
   {
+    if (map.IsImage())
+    {
+      this->Image.resize(this->Image.size() + 2 * static_cast<std::size_t>(this->Width));
+      continue;
+    }
     for (const float row : { 0.0f, 1.0f })
     {
       for (int column = 0; column < this->Width; ++column)
@@ -161,6 +166,56 @@ ShownMaps::ShownMaps(std::vector<ColorMap> maps, std::vector<ShownArray> arrays)
         this->Image.emplace_back(map.GetColor(place), 1.0f);
       }
     }
+  }
+  this->PlaceImages();
+}
+
+// Rows of images, the highest first.
+void ShownMaps::PlaceImages()
+{
+  std::vector<std::size_t> order;
+  std::size_t area = 0;
+  for (std::size_t i = 0; i < this->Maps.size(); ++i)
+  {
+    const MapImage::Layout& layout = this->Maps[i].Layout;
+    if (this->Maps[i].IsImage())
+    {
+      order.push_back(i);
+      area += std::size_t(layout.Width) * layout.Height;
+      this->PixelWidth = std::max(this->PixelWidth, layout.Width);
+    }
+  }
+  this->PixelWidth =
+    std::max(this->PixelWidth, static_cast<int>(std::ceil(std::sqrt(double(area)))));
+  std::sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b)
+    {
+      const int heights[] = { this->Maps[a].Layout.Height, this->Maps[b].Layout.Height };
+      return heights[0] != heights[1] ? heights[0] > heights[1] : a < b;
+    });
+  glm::ivec2 next(0);
+  int rowHeight = 0;
+  for (const std::size_t map : order)
+  {
+    const MapImage::Layout& layout = this->Maps[map].Layout;
+    if (next.x + layout.Width > this->PixelWidth)
+    {
+      next = { 0, next.y + rowHeight };
+      rowHeight = 0;
+    }
+    rowHeight = std::max(rowHeight, layout.Height);
+    this->PixelHeight = std::max(this->PixelHeight, next.y + layout.Height);
+    this->Pixels.resize(std::size_t(this->PixelWidth) * this->PixelHeight);
+    for (int y = 0; y < layout.Height; ++y)
+    {
+      std::copy_n(this->Maps[map].Image->GetPixels().begin() + std::ptrdiff_t(y) * layout.Width,
+        layout.Width,
+        this->Pixels.begin() + std::ptrdiff_t(next.y + y) * this->PixelWidth + next.x);
+    }
+    glm::vec4* facts = &this->Image[2 * map * static_cast<std::size_t>(this->Width)];
+    facts[0] = glm::vec4(next.x, next.y, layout.Width, layout.Height);
+    facts[this->Width] = glm::vec4(layout.Repeats[0], layout.Repeats[1], layout.IsSmooth, 2.0f);
+    next.x += layout.Width;
   }
 }
 
@@ -179,14 +234,18 @@ glm::vec2 ShownMaps::GetPlace(const MappedPoints& points, std::size_t point) con
   }
   const std::size_t map = points.Numbers[point] - std::size_t(1);
   const ShownArray& shown = this->Arrays[map];
+  if (this->Maps[map].IsImage())
+  {
+    return points.GetPlace(point);
+  }
   return this->Maps[map].GetPlace(shown.Number < 0
       ? points.Scalars[point]
       : points.Arrays[shown.Number].GetValue(point, shown.Component));
 }
 
-std::vector<glm::vec2> ShownMaps::ListPlaces(const MappedPoints& points) const
+std::vector<glm::vec3> ShownMaps::ListPlaces(const MappedPoints& points) const
 {
-  std::vector<glm::vec2> places(points.Numbers.size(), glm::vec2(0.0f, -1.0f));
+  std::vector<glm::vec3> places(points.Numbers.size(), glm::vec3(0.0f, 0.0f, -1.0f));
   ParallelFor(0, static_cast<vtkIdType>(places.size()), PointGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -194,20 +253,23 @@ std::vector<glm::vec2> ShownMaps::ListPlaces(const MappedPoints& points) const
       {
         if (points.Has(i))
         {
-          places[i] = this->GetPlace(points, i);
-          places[i].y += 2.0f * static_cast<float>(points.Numbers[i] - 1);
+          places[i] = glm::vec3(this->GetPlace(points, i), points.Numbers[i] - 1.0f);
         }
       }
     });
   return places;
 }
 
-const glm::vec4& ShownMaps::GetColor(std::size_t map, const glm::vec2& place) const
+glm::vec3 ShownMaps::GetColor(std::size_t map, const glm::vec2& place) const
 {
+  if (this->Maps[map].IsImage())
+  {
+    return this->Maps[map].GetColor(place);
+  }
   const auto last = static_cast<float>(this->Width - 1);
   const auto column = static_cast<std::size_t>(std::clamp(place.x, 0.0f, last));
   const std::size_t row = 2 * map + (place.y > ColorMap::NanShare ? 1 : 0);
-  return this->Image[row * static_cast<std::size_t>(this->Width) + column];
+  return glm::vec3(this->Image[row * static_cast<std::size_t>(this->Width) + column]);
 }
 
 int GetTableComponent(vtkScalarsToColors* table)
@@ -230,6 +292,10 @@ bool MapTable::IsChanged() const
 
 void MapTable::Update(const ColorMap& map, const double range[2])
 {
+  if (map.IsImage())
+  {
+    return;
+  }
   std::string problem;
   const ColorMap wanted = Stretch(map, range, problem).value_or(map);
   const bool isSame = HaveSamePlaces(wanted, this->Map) && wanted.Colors == this->Map.Colors &&
@@ -251,7 +317,7 @@ bool MapChoice::operator==(const MapChoice& other) const
 
 bool MapChoice::Selects(const ColorMap& map) const
 {
-  return !map.IsOneColor &&
+  return map.HasScalars() &&
     (this->Array.empty() || this->Array == map.Array || this->Array == map.GetScalarName());
 }
 

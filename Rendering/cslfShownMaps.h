@@ -65,26 +65,39 @@ public:
   /// The place of a point on its map; none without a map.
   glm::vec2 GetPlace(const MappedPoints& points, std::size_t point) const;
 
-  /// Of each point: the column on its map, and twice the number of the map, from 0, plus 1 for
-  /// values that are not numbers. -1 in place of the latter for points without a map.
-  std::vector<glm::vec2> ListPlaces(const MappedPoints& points) const;
+  /// Of each point the place on its map, and the number of the map, from 0, or -1 without one.
+  std::vector<glm::vec3> ListPlaces(const MappedPoints& points) const;
 
   ///@{
   /// Linear colours: of each map a row of its columns, and one of what is not a number. Rows are
-  /// filled up with their last colour.
+  /// filled up with their last colour. Of images there are the place of the first pixel among those
+  /// of all images, and the size; then whether each axis repeats, whether the image is smooth,
+  /// and 2.
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return 2 * static_cast<int>(this->Maps.size()); }
   const std::vector<glm::vec4>& GetImage() const { return this->Image; }
   ///@}
 
+  ///@{
+  /// The pixels of all images beside each other. None without images.
+  int GetPixelWidth() const { return this->PixelWidth; }
+  int GetPixelHeight() const { return this->PixelHeight; }
+  const std::vector<MapImage::Pixel>& GetPixels() const { return this->Pixels; }
+  ///@}
+
   /// The colour at a place of a map, as ColorMap::GetColor.
-  const glm::vec4& GetColor(std::size_t map, const glm::vec2& place) const;
+  glm::vec3 GetColor(std::size_t map, const glm::vec2& place) const;
 
 private:
+  void PlaceImages();
+
   std::vector<ColorMap> Maps;
   std::vector<ShownArray> Arrays; // of the maps
   int Width = 1;
   std::vector<glm::vec4> Image;
+  int PixelWidth = 0;
+  int PixelHeight = 0;
+  std::vector<MapImage::Pixel> Pixels;
 };
 
 /// What a mapper shows of an actor by the geometry alone, for exporters.

@@ -7,6 +7,8 @@ import struct
 import zlib
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkJPEGReader
 
 TYPE = "model/vnd.cslf.geometry"
 NOTHING = 65535  # the depth where a texel sees no triangle
@@ -248,6 +250,42 @@ def to_encoded(light, most=1.0):
                        1.055 * numpy.maximum(light, 0.0031308)**(1.0 / 2.4) - 0.055)
 
 
+class Image:
+    """An image in place of a colour map."""
+
+    def __init__(self, header, encoded):
+        width, height = header["size"]
+        if header["jpeg"]:
+            reader = vtkJPEGReader()
+            reader.SetMemoryBuffer(encoded)
+            reader.SetMemoryBufferLength(len(encoded))
+            reader.Update()
+            pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        else:
+            planes = numpy.frombuffer(encoded, "u1").reshape(3, -1)
+            pixels = numpy.cumsum(planes, axis=1, dtype="u1").T
+        self.pixels = to_linear(pixels.reshape(height, width, 3) / 255.0)
+        self.size = numpy.array(header["size"])
+        self.repeats = numpy.array(header["repeats"])
+        self.steps = header["steps"]
+        self.is_smooth = header["smooth"]
+
+    def get(self, pixels):
+        """The colours of pixels, of which rows have x and y, linear."""
+        wrapped = numpy.where(self.repeats, pixels % self.size,
+                              numpy.clip(pixels, 0, self.size - 1)).astype(int)
+        return self.pixels[wrapped[:, 1], wrapped[:, 0]]
+
+    def show(self, places):
+        """The colours at places, linear."""
+        if not self.is_smooth:
+            return self.get(numpy.floor(places))
+        first = numpy.floor(places - 0.5)
+        x, y = (places - 0.5 - first).T[:, :, None]
+        return ((1.0 - y) * ((1.0 - x) * self.get(first) + x * self.get(first + (1, 0)))
+                + y * ((1.0 - x) * self.get(first + (0, 1)) + x * self.get(first + 1)))
+
+
 class Maps:
     """Colour maps, and where points lie on them."""
 
@@ -257,8 +295,14 @@ class Maps:
         light = header["maximum_light"] * numpy.arange(self.light_steps + 1) / self.light_steps
         # Linear light has the precision of floats.
         self.codes = to_encoded(to_linear(light).astype("f4").astype(float), None)
-        self.colors = []  # linear; the last one is that of what is not a number
+        self.colors = []  # linear; the last one is that of what is not a number; or an image
+        self.texture_places = header["values"].get("CSLF:TexturePlaces")
         for one in self.maps:
+            if "image" in one:
+                size = one["image"]["bytes"]
+                self.colors.append(Image(one["image"], colors[:size]))
+                colors = colors[size:]
+                continue
             count = one["steps"] + 3
             planes = numpy.frombuffer(colors[:4 * count], "u1").reshape(4, count)
             colors = colors[4 * count:]
@@ -268,6 +312,8 @@ class Maps:
         self.columns = numpy.zeros(len(codes))
         self.is_none = numpy.zeros(len(codes), bool)
         for number, one in enumerate(self.maps, 1):
+            if "image" in one:
+                continue
             own = self.numbers == number
             none = (1 << one["bits"]) - 1
             first, last = one["places"]
@@ -291,6 +337,10 @@ class Maps:
         base = numpy.zeros_like(light)
         for number, colors in enumerate(self.colors, 1):
             own = self.numbers[corners[:, 0]] == number
+            if isinstance(colors, Image):
+                places = self.texture_places[corners[own]] / colors.steps
+                base[own] = colors.show((shares[own, :, None] * places).sum(axis=1))
+                continue
             places = numpy.where(is_none, len(colors) - 1, numpy.clip(columns, 0, len(colors) - 2))
             base[own] = colors[places[own]]
         return 255.0 * to_encoded(light * base)

@@ -81,28 +81,38 @@ function valueOf(components, /** @type {number} */ component, /** @type {number}
     : components[component][i];
 }
 
+// The array of places on images, in steps of pixels: Filters/Pipeline/cslfColorMap.h.
+const TexturePlaces = "CSLF:TexturePlaces";
+
 /**
- * Of each point of a batch: the column on its shown map, and twice the map's number, from 0, plus 1
- * for what is not a number. Without a map, the latter is -1.
- * @param {Batch} batch @param {ColorMap[]} own @param {ColorMap[]} shown
+ * Of each point of a batch: the column on its shown map, 1 for what is not a number, otherwise 0;
+ * or the place on an image; and the number of the map, from 0, or -1 without one.
+ * @param {Batch} batch @param {Geometry} geometry @param {ColorMap[]} shown
  */
-export function listPlaces(batch, own, shown) {
+export function listPlaces(batch, geometry, shown) {
   const { mapPlaces, mapNumbers, arrays } = batch;
-  const columns = own.map((map, i) =>
-    shown[i].source ? new Float32Array(0) : listColumns(map, shown[i]));
-  const places = new Float32Array(2 * (mapPlaces ? mapPlaces.length : 0));
+  const columns = geometry.maps.map((map, i) =>
+    shown[i].source || map.image ? new Float32Array(0) : listColumns(map, shown[i]));
+  const onImages = arrays[geometry.arrays.findIndex(({ name }) => name === TexturePlaces)];
+  const places = new Float32Array(3 * (mapPlaces ? mapPlaces.length : 0));
   for (let i = 0; mapPlaces && mapNumbers && i < mapPlaces.length; ++i) {
     const k = mapNumbers[i] - 1;
+    places[3 * i + 2] = k;
     if (k < 0) {
-      places[2 * i + 1] = -1;
+      continue;
+    }
+    const { image } = shown[k];
+    if (image) {
+      places[3 * i] = onImages[0][i] / image.steps;
+      places[3 * i + 1] = onImages[1][i] / image.steps;
       continue;
     }
     const { source, steps } = shown[k];
     const value = source ? valueOf(arrays[source.array], source.component, i) : 0;
     const isNone = source ? isNaN(value) : mapPlaces[i] === columns[k].length - 1;
-    places[2 * i] = isNone ? 0.5 * (steps + 2)
+    places[3 * i] = isNone ? 0.5 * (steps + 2)
       : source ? columnOf(shown[k], value) : columns[k][mapPlaces[i]];
-    places[2 * i + 1] = 2 * k + (isNone ? 1 : 0);
+    places[3 * i + 1] = isNone ? 1 : 0;
   }
   return places;
 }
@@ -116,6 +126,9 @@ export function listPlaces(batch, own, shown) {
 export function listArrayMaps({ arrays, maps }, fallback) {
   const { steps, colors } = maps.find((map) => map.array !== undefined) || fallback;
   return arrays.flatMap(({ name, components }, array) => {
+    if (name === TexturePlaces) {
+      return [];
+    }
     const only = components.length === 1;
     return (only ? [0] : [-1, ...components.keys()]).map((component) => ({
       array: name, range: [0, 1], steps, colors, source: { array, component },

@@ -32,6 +32,8 @@
  * @property {number} steps
  * @property {Uint8Array} colors red, green and blue, sRGB-encoded: below the range, of the steps,
  *   above it, and of what is not a number
+ * @property {{size: number[], repeats: boolean[], steps: number, smooth: boolean, jpeg: boolean, bytes: number}} [image] what is
+ *   there instead of scalars: colours are its pixels, the lowest row first
  * @property {number[]} [places] columns of the smallest and the largest stored place
  * @property {number} [bits] of a stored place
  * @property {{array: number, component: number}} [source] what is shown in place of the map's own
@@ -379,14 +381,46 @@ function takeBatch(batch, values, first, size) {
 }
 
 /**
- * The colours of maps end the part: planes of red, green, blue and alpha, as differences.
- * @param {any} header @param {Streams} streams @returns {ColorMap[]}
+ * The pixels of a JPEG file, whose row at the bottom becomes the first.
+ * @param {Uint8Array} bytes @param {number[]} size
+ */
+async function decodeImage(bytes, [width, height]) {
+  const image = await createImageBitmap(new Blob([/** @type {any} */ (bytes)]),
+    { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+  require(image.width === width && image.height === height, "an image is damaged");
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  const context = /** @type {CanvasRenderingContext2D} */ (
+    canvas.getContext("2d", { willReadFrequently: true }));
+  context.drawImage(image, 0, 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  const colors = new Uint8Array(3 * width * height);
+  for (let y = 0, to = 0; y < height; ++y) {
+    for (let x = 0, from = 4 * width * (height - 1 - y); x < width; ++x, from += 4) {
+      colors[to++] = data[from];
+      colors[to++] = data[from + 1];
+      colors[to++] = data[from + 2];
+    }
+  }
+  return colors;
+}
+
+/**
+ * The colours of maps end the part: planes of red, green, blue and alpha, as differences; or images.
+ * @param {any} header @param {Streams} streams @returns {Promise<ColorMap[]>}
  */
 function readMaps(header, streams) {
-  return (header.color_maps || []).map((/** @type {any} */ map) => {
-    const count = map.steps + 3;
+  return Promise.all((header.color_maps || []).map(async (/** @type {any} */ map) => {
+    const { image } = map;
+    const count = image ? image.size[0] * image.size[1] : map.steps + 3;
+    const planes = streams.take(image ? image.bytes : 4 * count);
+    const all = image ? { ...map, range: [0, 1], steps: count - 3 } : map;
+    if (image?.jpeg) {
+      return { ...all, colors: await decodeImage(planes, image.size) };
+    }
+    require(planes.length >= 3 * count, "a colour map is damaged");
     const colors = new Uint8Array(3 * count);
-    const planes = streams.take(4 * count);
     for (let c = 0; c < 3; ++c) {
       let code = 0;
       for (let i = 0; i < count; ++i) {
@@ -394,8 +428,8 @@ function readMaps(header, streams) {
         colors[3 * i + c] = code;
       }
     }
-    return { ...map, colors };
-  });
+    return { ...all, colors };
+  }));
 }
 
 /**
@@ -437,7 +471,7 @@ export async function readGeometry(bytes) {
   for (const group of all.groups) {
     batches.push(readBodies(all, group, streams, bits, header.colors === "srgb6" ? 255 / 63 : 1));
   }
-  const maps = readMaps(header, streams);
+  const maps = await readMaps(header, streams);
   if (maps.length) {
     for (const [k, part] of [batches.slice(0, own), batches.slice(own)].entries()) {
       const count = part.reduce((sum, batch) => sum + batch.points * batch.bodies, 0);

@@ -41,11 +41,11 @@ uniform mat4 toDisplay;
 uniform int firstBody, points;
 uniform vec2 light; // the largest, and its code; 0 without maps
 uniform usampler2D colors;
-uniform sampler2D places; // the column, and twice the map's number, plus 1 for what is no number
-uniform isampler2D mapStarts; // of each map, its first colour
+uniform sampler2D places; // listPlaces
+uniform isampler2D mapRanges; // of each map, its first colour, their number, and what an image has
 out vec3 color; // sRGB-encoded, or light, encoded so
 out vec2 mapPlace;
-flat out ivec2 map; // its first and last colour; negative without one
+flat out ivec4 map; // as in mapRanges; negative without one
 
 void main()
 {
@@ -55,17 +55,15 @@ void main()
   ivec2 texel = TexelOf((firstBody + gl_InstanceID) * points + gl_VertexID);
   uvec4 codes = texelFetch(colors, texel, 0);
   color = vec3(codes.rgb) / 255.0;
-  map = ivec2(-1);
+  map = ivec4(-1);
   mapPlace = vec2(0.0);
   if (light.y > 0.0)
   {
-    vec2 found = texelFetch(places, texel, 0).rg;
-    int number = int(floor(0.5 * found.g));
-    mapPlace = vec2(found.r, found.g - 2.0 * float(number));
-    if (number >= 0)
+    vec3 found = texelFetch(places, texel, 0).rgb;
+    mapPlace = found.rg;
+    if (found.b >= 0.0)
     {
-      map = ivec2(texelFetch(mapStarts, ivec2(number, 0), 0).r,
-        texelFetch(mapStarts, ivec2(number + 1, 0), 0).r - 1);
+      map = texelFetch(mapRanges, ivec2(int(found.b), 0), 0);
     }
   }
   if (map.x >= 0)
@@ -83,17 +81,43 @@ void main()
 const MeshPixels = `${Head}
 in vec3 color;
 in vec2 mapPlace;
-flat in ivec2 map;
+flat in ivec4 map;
 uniform sampler2D mapColors; // all maps, one after the other; last of each, what is not a number
 out vec4 shown;
+
+// As in cslfGeometryFS.glsl.
+vec3 GetPixel(vec2 pixel)
+{
+  vec2 size = vec2(map.z, map.y / map.z);
+  vec2 repeats = vec2(map.w & 1, map.w >> 1 & 1);
+  vec2 wrapped = clamp(mix(pixel, pixel - size * floor(pixel / size), repeats), vec2(0.0), size - 1.0);
+  int index = map.x + int(wrapped.y) * map.z + int(wrapped.x);
+  return texelFetch(mapColors, TexelOf(index), 0).rgb;
+}
+
+vec3 GetMapColor()
+{
+  if (map.z == 0)
+  {
+    int column = clamp(int(floor(mapPlace.x)), 0, map.y - 2);
+    return texelFetch(mapColors, TexelOf(map.x + (mapPlace.y > 0.02 ? map.y - 1 : column)), 0).rgb;
+  }
+  if ((map.w & 4) == 0)
+  {
+    return GetPixel(floor(mapPlace));
+  }
+  vec2 first = floor(mapPlace - 0.5);
+  vec2 share = mapPlace - 0.5 - first;
+  return mix(mix(GetPixel(first), GetPixel(first + vec2(1.0, 0.0)), share.x),
+    mix(GetPixel(first + vec2(0.0, 1.0)), GetPixel(first + 1.0), share.x), share.y);
+}
 
 void main()
 {
   vec3 linear = RayToLinear(color);
   if (map.x >= 0)
   {
-    int column = clamp(int(floor(mapPlace.x)), 0, map.y - map.x - 1);
-    linear *= texelFetch(mapColors, TexelOf(mapPlace.y > 0.02 ? map.y : map.x + column), 0).rgb;
+    linear *= GetMapColor();
   }
   shown = vec4(linear, 1.0);
 }`;
@@ -308,12 +332,12 @@ class Mesh {
       });
   }
 
-  /** @param {ColorMap[]} own @param {ColorMap[]} shown */
-  setMaps(own, shown) {
+  /** @param {Geometry} geometry @param {ColorMap[]} shown */
+  setMaps(geometry, shown) {
     const { gl } = this.surfaces;
-    const places = listPlaces(this.batch, own, shown);
+    const places = listPlaces(this.batch, geometry, shown);
     gl.deleteTexture(this.mapPlaces);
-    this.mapPlaces = places.length ? makeList(gl, places, 2, gl.RG32F, gl.RG, gl.FLOAT) : null;
+    this.mapPlaces = places.length ? makeList(gl, places, 3, gl.RGB32F, gl.RGB, gl.FLOAT) : null;
   }
 
   /**
@@ -386,11 +410,11 @@ class Balls {
       batch.sides[0].every((code, i) => (i & 3) !== 3 || code <= 1);
   }
 
-  /** @param {ColorMap[]} own @param {ColorMap[]} shown @param {number[]} light */
-  setMaps(own, shown, light) {
+  /** @param {Geometry} geometry @param {ColorMap[]} shown @param {number[]} light */
+  setMaps(geometry, shown, light) {
     const { gl } = this.surfaces;
     const { points, bodies, sides: [side] } = this.batch;
-    const places = listPlaces(this.batch, own, shown);
+    const places = listPlaces(this.batch, geometry, shown);
     const size = this.side + 2;
     const width = this.perRow * size;
     const height = Math.ceil(bodies / this.perRow) * size;
@@ -400,12 +424,12 @@ class Balls {
       const start = body * points;
       this.blends.forEach(({ corners, weights }, i) => {
         const to = 4 * (first + Math.floor(i / size) * width + (i % size));
-        const number = places.length ? Math.floor(0.5 * places[2 * (start + corners[0]) + 1]) : -1;
+        const number = places.length ? places[3 * (start + corners[0]) + 2] : -1;
         let column = 0, none = 0;
         for (let k = 0; number >= 0 && k < 3; ++k) {
-          const place = 2 * (start + corners[k]);
+          const place = 3 * (start + corners[k]);
           column += weights[k] * places[place];
-          none += weights[k] * (places[place + 1] - 2 * number);
+          none += weights[k] * places[place + 1];
         }
         const map = shown[number];
         const base = map ? 3 * (none > 0.02 ? map.steps + 2 : indexOf(map, column)) : 0;
@@ -449,7 +473,7 @@ export class Surfaces {
     this.gl = gl;
     this.mesh = makeProgram(gl, MeshVertices, MeshPixels);
     this.ball = makeProgram(gl, BallVertices, BallPixels);
-    this.own = geometry.maps;
+    this.geometry = geometry;
     this.light = geometry.maps.length
       ? [geometry.header.maximum_light, geometry.header.light_steps] : [0, 0];
     /** @type {Mesh[]} */
@@ -474,17 +498,29 @@ export class Surfaces {
    */
   setMaps(shown) {
     const { gl } = this;
-    const codes = shown.flatMap(({ colors, steps }) => Array.from({ length: steps + 3 }, (_, i) =>
-      [colors[3 * i], colors[3 * i + 1], colors[3 * i + 2], 255])).flat();
-    const starts = new Int32Array(shown.length + 1);
-    shown.forEach(({ steps }, i) => (starts[i + 1] = starts[i] + steps + 3));
+    const ranges = new Int32Array(4 * shown.length);
+    let count = 0;
+    shown.forEach(({ steps, image }, i) => {
+      const flags = image ? Number(image.repeats[0]) + 2 * Number(image.repeats[1]) +
+        4 * Number(image.smooth) : 0;
+      ranges.set([count, steps + 3, image ? image.size[0] : 0, flags], 4 * i);
+      count += steps + 3;
+    });
+    const codes = new Uint8Array(4 * count).fill(255);
+    shown.forEach(({ colors, steps }, i) => {
+      for (let k = 0, to = 4 * ranges[4 * i]; k < steps + 3; ++k, to += 4) {
+        codes[to] = colors[3 * k];
+        codes[to + 1] = colors[3 * k + 1];
+        codes[to + 2] = colors[3 * k + 2];
+      }
+    });
     this.maps.forEach((image) => gl.deleteTexture(image));
     this.maps = [
-      makeList(gl, Uint8Array.from(codes), 4, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE),
-      makeList(gl, starts, 1, gl.R32I, gl.RED_INTEGER, gl.INT),
+      makeList(gl, codes, 4, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE),
+      makeList(gl, ranges, 4, gl.RGBA32I, gl.RGBA_INTEGER, gl.INT),
     ];
     for (const one of [...this.meshes, ...this.balls]) {
-      one.setMaps(this.own, shown, this.light);
+      one.setMaps(this.geometry, shown, this.light);
     }
   }
 
@@ -513,7 +549,7 @@ export class Surfaces {
     gl.uniform2fv(mesh.uniforms.light, this.light);
     gl.uniform1i(mesh.uniforms.colors, 0);
     gl.uniform1i(mesh.uniforms.places, 1);
-    ["mapColors", "mapStarts"].forEach((name, i) => {
+    ["mapColors", "mapRanges"].forEach((name, i) => {
       gl.uniform1i(mesh.uniforms[name], 2 + i);
       gl.activeTexture(gl.TEXTURE2 + i);
       gl.bindTexture(gl.TEXTURE_2D, this.maps[i]);

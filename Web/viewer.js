@@ -51,7 +51,10 @@ async function readData() {
   const page = JSON.parse(new TextDecoder().decode(await inflate(bytes.subarray(4, 4 + size))));
   const geometry = await readGeometry(bytes.subarray(4 + size));
   /** @type {ColorMap[]} */
-  const exported = page.maps ? page.maps.map(readColors) : geometry.maps;
+  const exported = page.maps
+    ? page.maps.map((/** @type {any} */ map, /** @type {number} */ i) =>
+      map.image ? geometry.maps[i] : readColors(map))
+    : geometry.maps;
   require(exported.length === geometry.maps.length, "its colour maps do not fit");
   /** @type {Record<string, {steps: number, colors: Uint8Array}>} */
   const presets = Object.fromEntries(Object.entries(page.presets || {})

@@ -105,13 +105,17 @@ std::vector<FieldScalars> ListScalars(const FieldFile& file)
   std::vector<FieldScalars> all;
   for (std::size_t i = 0; i < list.size(); ++i)
   {
-    if (!points.Maps[i].IsOneColor)
+    if (points.Maps[i].HasScalars())
     {
       all.push_back(list[i]);
     }
   }
   for (const SurfaceArray& array : points.Arrays)
   {
+    if (array.Name == TexturePlacesName)
+    {
+      continue;
+    }
     const int size = static_cast<int>(array.Components.size());
     for (int component = size > 1 ? -1 : 0; component < size; ++component)
     {

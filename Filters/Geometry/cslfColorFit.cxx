@@ -48,8 +48,12 @@ constexpr double ExactDetailTolerances = 3.0;
 /// If no more of what is sampled has larger errors, there are no viewpoints for so little.
 constexpr double MaximumRest = 0.005;
 
-/// Differences of the corners of a triangle weigh this much beside its samples.
+/// Differences of the corners of a triangle weigh this much beside its samples: of colours, and of
+/// places on maps and values of arrays, which have no noise, where at least that share of the
+/// triangle has samples.
 constexpr float Smoothness = 1e-3f;
+constexpr float ValueSmoothness = 1e-5f;
+constexpr float SampledShare = 0.9f;
 
 /// The solver's limits.
 constexpr int MaximumIterations = 60;
@@ -162,6 +166,13 @@ void ColorFit::JoinCorners()
   }
 }
 
+float ColorFit::GetSmoothness(std::size_t triangle, int kind) const
+{
+  const bool isSure = kind >= PlaceKind &&
+    this->GetSums(triangle, kind).Weight >= SampledShare * this->Samples[triangle].Area;
+  return isSure ? ValueSmoothness : Smoothness;
+}
+
 // The matrix of least squares times a vector.
 void ColorFit::Apply(
   int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const
@@ -173,7 +184,7 @@ void ColorFit::Apply(
     const glm::vec3 own[3] = { values[corners.x], values[corners.y], values[corners.z] };
     glm::vec3 products[3];
     this->GetSums(i, kind).Multiply(own, products);
-    const float smoothness = Smoothness * this->Samples[i].Area;
+    const float smoothness = this->GetSmoothness(i, kind) * this->Samples[i].Area;
     const glm::vec3 sum = own[0] + own[1] + own[2];
     for (int k = 0; k < 3; ++k)
     {
@@ -197,7 +208,8 @@ void ColorFit::SolveKind(int kind, const std::function<bool()>& goOn)
     {
       const unsigned int place = this->Values[i][k];
       rest[place] += sums.GetProduct(k);
-      diagonal[place] += sums.Squares[k] + 2.0f * Smoothness * this->Samples[i].Area;
+      diagonal[place] +=
+        sums.Squares[k] + 2.0f * this->GetSmoothness(i, kind) * this->Samples[i].Area;
       weights[place] += sums.GetShare(k);
     }
   }

@@ -209,6 +209,7 @@ private:
                                   : samples.Sides[kind];
   }
 
+  float GetSmoothness(std::size_t triangle, int kind) const;
   void JoinCorners();
   void SolveKind(int kind, const std::function<bool()>& goOn);
   void Apply(int kind, const std::vector<glm::vec3>& values, std::vector<glm::vec3>& results) const;

@@ -57,6 +57,7 @@ constexpr const char* ComponentKey = "component";
 constexpr const char* RangeKey = "range";
 constexpr const char* LogarithmicKey = "logarithmic";
 constexpr const char* StepsKey = "steps";
+constexpr const char* ImageKey = "image";
 
 /// What lies at the value 0 of a logarithmic range.
 double ToScale(double value, bool isLogarithmic)
@@ -104,9 +105,10 @@ vtkDataArray* FindArray(vtkPolyData* geometry, const std::string& name, int comp
 
 bool ColorMap::IsOpaque() const
 {
-  return this->NanColor[3] == 255 &&
-    std::all_of(
-      this->Colors.begin(), this->Colors.end(), [](const Pixel& color) { return color[3] == 255; });
+  return this->IsImage() ||
+    (this->NanColor[3] == 255 &&
+      std::all_of(this->Colors.begin(), this->Colors.end(),
+        [](const Pixel& color) { return color[3] == 255; }));
 }
 
 std::string ColorMap::GetScalarName() const
@@ -174,6 +176,10 @@ double ColorMap::GetSteepness() const
 
 glm::vec3 ColorMap::GetColor(const glm::dvec2& place) const
 {
+  if (this->Image)
+  {
+    return this->Image->GetColor(place);
+  }
   const auto last = static_cast<double>(this->Colors.size() - 1);
   const auto column = static_cast<std::size_t>(std::clamp(std::floor(place.x), 0.0, last));
   const Pixel& color = place.y > NanShare ? this->NanColor : this->Colors[column];
@@ -185,6 +191,33 @@ std::string NameScalars(const std::string& array)
   const bool isTaken = array == ColorName || array == BackColorName || array == ExactColorName ||
     array == LightName || array == BackLightName || array == ColorMapName;
   return isTaken ? array + " (scalars)" : array;
+}
+
+const SurfaceArray* MappedPoints::FindTexturePlaces() const
+{
+  for (const SurfaceArray& array : this->Arrays)
+  {
+    if (array.Name == TexturePlacesName && array.Components.size() == 2)
+    {
+      return &array;
+    }
+  }
+  return nullptr;
+}
+
+glm::dvec2 MappedPoints::GetTexturePlace(std::size_t point) const
+{
+  const double steps = this->GetMap(point).Layout.Steps;
+  const SurfaceArray& places = *this->FindTexturePlaces();
+  return glm::dvec2(places.Components[0].Values[point], places.Components[1].Values[point]) / steps;
+}
+
+ColorMap MakeImageMap(std::shared_ptr<const MapImage> image)
+{
+  ColorMap map;
+  map.Layout = image->GetLayout();
+  map.Image = std::move(image);
+  return map;
 }
 
 ColorMap MakeOneColor(const ColorMap::Pixel& color)
@@ -281,6 +314,12 @@ vtkSmartPointer<vtkLookupTable> MakeLookupTable(const ColorMap& map)
 
 std::string DescribeColorMap(const ColorMap& map)
 {
+  if (map.IsImage())
+  {
+    nlohmann::json text;
+    MapImage::Describe(map.Layout, text[ImageKey]);
+    return text.dump();
+  }
   nlohmann::json text = { { RangeKey, { map.Range[0], map.Range[1] } },
     { StepsKey, map.GetSteps() } };
   if (!map.IsOneColor)
@@ -302,6 +341,11 @@ ColorMap ReadColorMap(const std::string& text)
 {
   const nlohmann::json from = ParseJSON(text);
   ColorMap map;
+  if (from.contains(ImageKey))
+  {
+    map.Layout = MapImage::ReadLayout(from.at(ImageKey));
+    return map;
+  }
   map.IsOneColor = !from.contains(ArrayKey);
   map.Array = from.value(ArrayKey, std::string());
   map.Component = from.value(ComponentKey, std::string());
@@ -343,9 +387,19 @@ void AddColorMaps(const std::vector<ColorMap>& maps, vtkDataObject* data)
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName(ColorMapColorsName);
   colors->SetNumberOfComponents(4);
+  vtkNew<vtkUnsignedCharArray> images;
+  images->SetName(ColorMapImagesName);
   for (const ColorMap& map : maps)
   {
     texts->InsertNextValue(DescribeColorMap(map));
+    if (map.IsImage())
+    {
+      for (const unsigned char byte : map.Image->GetEncoded())
+      {
+        images->InsertNextValue(byte);
+      }
+      continue;
+    }
     for (const ColorMap::Pixel& color : map.Colors)
     {
       colors->InsertNextTypedTuple(color.data());
@@ -354,6 +408,10 @@ void AddColorMaps(const std::vector<ColorMap>& maps, vtkDataObject* data)
   }
   data->GetFieldData()->AddArray(texts);
   data->GetFieldData()->AddArray(colors);
+  if (images->GetNumberOfValues() > 0)
+  {
+    data->GetFieldData()->AddArray(images);
+  }
 }
 
 std::vector<ColorMap> FindColorMaps(vtkDataObject* data)
@@ -367,10 +425,25 @@ try
   {
     return maps;
   }
+  auto* images = vtkUnsignedCharArray::SafeDownCast(fields->GetAbstractArray(ColorMapImagesName));
   vtkIdType next = 0;
+  vtkIdType nextByte = 0;
   for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
   {
     ColorMap map = ReadColorMap(texts->GetValue(i));
+    if (map.IsImage())
+    {
+      const auto bytes = static_cast<vtkIdType>(map.Layout.Bytes);
+      if (!images || bytes > images->GetNumberOfValues() - nextByte)
+      {
+        return {};
+      }
+      const unsigned char* first = images->GetPointer(nextByte);
+      map.Image = MapImage::Read(map.Layout, { first, first + bytes });
+      nextByte += bytes;
+      maps.push_back(std::move(map));
+      continue;
+    }
     if (next + static_cast<vtkIdType>(map.Colors.size()) >= colors->GetNumberOfTuples())
     {
       return {};
@@ -402,7 +475,7 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
   AddSurfaceArrays(points.Arrays, geometry);
   for (const ColorMap& map : points.Maps)
   {
-    if (map.IsOneColor)
+    if (!map.HasScalars())
     {
       continue;
     }
@@ -431,7 +504,7 @@ void AddMappedPoints(const MappedPoints& points, vtkPolyData* geometry)
   {
     const auto point = static_cast<std::size_t>(i);
     numbers->SetValue(i, points.Numbers[point]);
-    if (points.Has(point) && !points.GetMap(point).IsOneColor)
+    if (points.Has(point) && points.GetMap(point).HasScalars())
     {
       scalars[points.GetMap(point).GetScalarName()]->SetValue(i, points.Scalars[point]);
     }
@@ -464,8 +537,20 @@ try
   std::vector<vtkDataArray*> scalars;
   for (const ColorMap& map : points.Maps)
   {
-    scalars.push_back(FindArray(geometry, map.GetScalarName(), 1));
+    scalars.push_back(map.HasScalars() ? FindArray(geometry, map.GetScalarName(), 1) : nullptr);
   }
+  const SurfaceArray* places = points.FindTexturePlaces();
+  // Of a point that has such a map.
+  const auto isKnown = [&](std::size_t map, vtkIdType point)
+  {
+    if (points.Maps[map].IsImage())
+    {
+      const auto i = static_cast<std::size_t>(point);
+      return places && std::isfinite(places->Components[0].Values[i]) &&
+        std::isfinite(places->Components[1].Values[i]);
+    }
+    return points.Maps[map].IsOneColor || scalars[map];
+  };
   vtkDataArray* back = FindArray(geometry, BackLightName, 3);
   vtkDataArray* lights[2] = { front, back ? back : front };
   for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
@@ -474,7 +559,7 @@ try
     const bool isMapped = number >= 1.0 && number <= double(scalars.size());
     const std::size_t map = isMapped ? static_cast<std::size_t>(number) - 1 : 0;
     vtkDataArray* own = isMapped ? scalars[map] : nullptr;
-    if (number != 0.0 && !(isMapped && (own || points.Maps[map].IsOneColor)))
+    if (number != 0.0 && !(isMapped && isKnown(map, i)))
     {
       return {};
     }

@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfMapImage.h"
 #include "cslfSurfaceArray.h"
 
 #include <vtkSmartPointer.h>
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,14 @@ struct VTKCSLF_EXPORT ColorMap
   /// that, too.
   bool IsOneColor = false;
 
+  /// If its width is not 0, an image takes the place of scalars and colours: see TexturePlacesName.
+  /// The image is null where only this was read.
+  MapImage::Layout Layout;
+  std::shared_ptr<const MapImage> Image;
+
+  bool IsImage() const { return this->Layout.Width > 0; }
+  bool HasScalars() const { return !this->IsOneColor && !this->IsImage(); }
+
   int GetSteps() const { return static_cast<int>(this->Colors.size()) - 2; }
   bool IsOpaque() const;
 
@@ -61,7 +71,8 @@ struct VTKCSLF_EXPORT ColorMap
   static constexpr double NanShare = 0.02;
 
   /// A place on the map, which is interpolated linearly: first the column, from 1 at the beginning
-  /// of the range to 1 + steps at its end, then 0, or 1 for values that are not numbers.
+  /// of the range to 1 + steps at its end, then 0, or 1 for values that are not numbers. Those on
+  /// images are told by MapImage.
   glm::dvec2 GetPlace(double value) const;
 
   /// The value at a place.
@@ -74,6 +85,12 @@ struct VTKCSLF_EXPORT ColorMap
   /// The colour at a place, between colours the nearest, linear.
   glm::vec3 GetColor(const glm::dvec2& place) const;
 };
+
+/// The array of points whose two components are places on images, in steps of MapImage.
+constexpr const char* TexturePlacesName = "CSLF:TexturePlaces";
+
+/// The map that is an image.
+ColorMap VTKCSLF_EXPORT MakeImageMap(std::shared_ptr<const MapImage> image);
 
 /// The map that stands for one colour, sRGB-encoded.
 ColorMap VTKCSLF_EXPORT MakeOneColor(const ColorMap::Pixel& color);
@@ -129,8 +146,13 @@ struct MappedPoints
   const ColorMap& GetMap(std::size_t point) const { return this->Maps[this->Numbers[point] - 1]; }
   glm::dvec2 GetPlace(std::size_t point) const
   {
-    return this->GetMap(point).GetPlace(this->Scalars[point]);
+    const ColorMap& map = this->GetMap(point);
+    return map.IsImage() ? this->GetTexturePlace(point) : map.GetPlace(this->Scalars[point]);
   }
+
+  /// The array of places on images, or null.
+  const SurfaceArray* FindTexturePlaces() const;
+  glm::dvec2 GetTexturePlace(std::size_t point) const;
 };
 
 /// The colour of a surface with interpolated light, sRGB-encoded.

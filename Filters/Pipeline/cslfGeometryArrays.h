@@ -57,6 +57,7 @@ constexpr const char* BackLightName = "CSLF:BackLight";
 /// within it in equal steps, above it, and of what is not a number.
 constexpr const char* ColorMapsName = "CSLF:ColorMaps";
 constexpr const char* ColorMapColorsName = "CSLF:ColorMapColors";
+constexpr const char* ColorMapImagesName = "CSLF:ColorMapImages"; ///< bytes of encoded images
 ///@}
 
 /// Field data: the names of the arrays of point data that surfaces have beside the scalars that

@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,9 @@ constexpr int FloatType = 5126;
 constexpr int VertexTarget = 34962;
 constexpr int IndexTarget = 34963;
 constexpr int NearestFilter = 9728;
+constexpr int LinearFilter = 9729;
+constexpr int MipmapFilter = 9987; // linear, between images as well
+constexpr int Repeat = 10497;
 constexpr int ClampToEdge = 33071;
 constexpr std::uint32_t Magic = 0x46546C67;
 constexpr std::uint32_t JSONChunk = 0x4E4F534A;
@@ -69,14 +73,29 @@ constexpr double MinimumNear = 0.001;
 /// and such a value, there is no number from this share of the way on.
 constexpr float NumberRow = 1.0f - static_cast<float>(cslf::ColorMap::NanShare);
 
-/// Triangles with points of their own: those in colours of their own, or those with maps.
+/// Which triangles of a geometry have points of their own: those in colours of their own, those
+/// whose map is an image, given the number of the map, and those with any other map.
+constexpr int OwnColors = -2;
+constexpr int ColorMaps = -1;
+
 struct Part
 {
   std::vector<std::size_t> Points; ///< of the geometry
   std::vector<std::uint32_t> Fronts;
   std::vector<std::uint32_t> Backs; ///< with the opposite winding
-  bool HasMaps = false;
+  int Kind = OwnColors;
+
+  bool HasMaps() const { return this->Kind != OwnColors; }
 };
+
+int FindKind(const cslf::MappedPoints& points, std::size_t point)
+{
+  if (!points.Has(point))
+  {
+    return OwnColors;
+  }
+  return points.GetMap(point).IsImage() ? points.Numbers[point] - 1 : ColorMaps;
+}
 
 /// The binary chunk and what the JSON says of it.
 class Buffer
@@ -193,16 +212,16 @@ private:
 
 /// Fronts of all triangles, and backs of those that are not of closed parts. The triangles of a
 /// part, and their points, are in an order that is good for graphics cards and for compression.
-Part MakePart(const cslf::GeometryMesh& mesh, bool hasMaps)
+Part MakePart(const cslf::GeometryMesh& mesh, int kind)
 {
   Part part;
-  part.HasMaps = hasMaps;
+  part.Kind = kind;
   std::vector<std::uint32_t> all[2];
   const auto add = [&](const std::vector<std::uint32_t>& corners, std::size_t closed)
   {
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     {
-      if (mesh.Mapped.Has(corners[i]) == hasMaps)
+      if (FindKind(mesh.Mapped, corners[i]) == kind)
       {
         all[0].insert(all[0].end(), { corners[i], corners[i + 1], corners[i + 2] });
         if (i >= closed)
@@ -255,11 +274,11 @@ std::vector<glm::dvec3> ListColors(const cslf::GeometryMesh& mesh, const Part& p
   for (const std::size_t point : part.Points)
   {
     glm::dvec3 color(all[point]);
-    if (!part.HasMaps)
+    if (!part.HasMaps())
     {
       color /= std::max(double(all[point].w), 1e-6);
     }
-    colors.push_back(part.HasMaps || !mesh.IsLinear ? cslf::SRGBToLinear(color) : color);
+    colors.push_back(part.HasMaps() || !mesh.IsLinear ? cslf::SRGBToLinear(color) : color);
   }
   return colors;
 }
@@ -285,10 +304,11 @@ class MappedPart
 {
 public:
   MappedPart(const cslf::GeometryMesh& mesh, const cslf::ShownMaps& maps, const Part& part)
-    : Maps(maps)
+    : Kind(part.Kind)
+    , Maps(maps)
     , Light{ ListColors(mesh, part, 0), ListColors(mesh, part, 1) }
   {
-    const std::vector<glm::vec2> all = maps.ListPlaces(mesh.Mapped);
+    const std::vector<glm::vec3> all = maps.ListPlaces(mesh.Mapped);
     for (const std::size_t point : part.Points)
     {
       this->Places.push_back(all[point]);
@@ -303,9 +323,20 @@ public:
       }
     }
     double lightest = 1e-3;
-    for (const glm::vec4& color : maps.GetImage())
+    const auto addColor = [&lightest](const glm::dvec3& color) {
+      lightest = std::max({ lightest, color.x, color.y, color.z });
+    };
+    if (const cslf::MapImage* image = this->FindImage())
     {
-      lightest = std::max({ lightest, double(color.x), double(color.y), double(color.z) });
+      for (const cslf::MapImage::Pixel& pixel : image->GetPixels())
+      {
+        addColor(cslf::SRGBToLinear(glm::dvec3(pixel[0], pixel[1], pixel[2]) / 255.0));
+      }
+    }
+    for (std::size_t i = 0; i < maps.GetImage().size() && part.Kind == ColorMaps; ++i)
+    {
+      const bool isColor = !maps.GetMaps()[i / (2 * maps.GetWidth())].IsImage();
+      addColor(isColor ? glm::dvec3(maps.GetImage()[i]) : glm::dvec3(0.0));
     }
     this->Scale = std::clamp(1.0 / lightest, 1.0, brightest);
     this->IsCut = this->HasTexture && brightest > (1.0 + 1e-3) * this->Scale;
@@ -321,17 +352,29 @@ public:
   /// Whether some light is above 1 nevertheless.
   bool IsCut;
 
+  /// The image that is the map, or null.
+  const cslf::MapImage* FindImage() const
+  {
+    return this->Kind >= 0 ? this->Maps.GetMaps()[this->Kind].Image.get() : nullptr;
+  }
+
   /// Places on the texture.
   std::vector<glm::vec2> ListTexturePlaces() const
   {
     std::vector<glm::vec2> places;
     places.reserve(this->Places.size());
-    for (const glm::vec2& place : this->Places)
+    const cslf::MapImage* image = this->FindImage();
+    for (const glm::vec3& place : this->Places)
     {
-      const float map = std::floor(0.5f * place.y);
-      const float none = place.y - 2.0f * map;
+      if (image)
+      {
+        const cslf::MapImage::Layout& layout = image->GetLayout();
+        places.emplace_back(place.x / static_cast<float>(layout.Width),
+          1.0f - place.y / static_cast<float>(layout.Height));
+        continue;
+      }
       places.emplace_back(place.x / static_cast<float>(this->Maps.GetWidth()),
-        (2.0f * map + NumberRow + none) / static_cast<float>(this->Maps.GetHeight()));
+        (2.0f * place.z + NumberRow + place.y) / static_cast<float>(this->Maps.GetHeight()));
     }
     return places;
   }
@@ -351,11 +394,9 @@ public:
   }
 
 private:
-  glm::dvec3 GetMapColor(const glm::vec2& place) const
+  glm::dvec3 GetMapColor(const glm::vec3& place) const
   {
-    const float map = std::floor(0.5f * place.y);
-    return glm::dvec3(
-      this->Maps.GetColor(static_cast<std::size_t>(map), { place.x, place.y - 2.0f * map }));
+    return glm::dvec3(this->Maps.GetColor(static_cast<std::size_t>(place.z), glm::vec2(place)));
   }
 
   /// How far the colours at the middles of edges are from the means of their ends, as the root mean
@@ -364,7 +405,7 @@ private:
   {
     double sum = 0.0;
     double weights = 0.0;
-    const auto show = [&](const glm::dvec3& light, const glm::vec2& place)
+    const auto show = [&](const glm::dvec3& light, const glm::vec3& place)
     { return glm::min(light * this->GetMapColor(place), 1.0); };
     for (std::size_t i = 0; i < part.Fronts.size(); ++i)
     {
@@ -386,9 +427,10 @@ private:
     return std::sqrt(sum / std::max(weights, 1e-300));
   }
 
+  int Kind;
   const cslf::ShownMaps& Maps;
   std::array<std::vector<glm::dvec3>, 2> Light;
-  std::vector<glm::vec2> Places; // as ShownMaps::ListPlaces
+  std::vector<glm::vec3> Places; // as ShownMaps::ListPlaces
 };
 
 /// Writes the geometry of a window.
@@ -451,9 +493,9 @@ private:
   void AddMesh(const std::string& title)
   {
     JSON mesh = { { "name", title }, { "primitives", JSON::array() } };
-    for (const bool hasMaps : { false, true })
+    for (int kind = OwnColors; kind < static_cast<int>(this->Mesh.Mapped.Maps.size()); ++kind)
     {
-      const Part part = MakePart(this->Mesh, hasMaps);
+      const Part part = MakePart(this->Mesh, kind);
       if (!part.Points.empty())
       {
         this->AddPart(part, mesh["primitives"]);
@@ -534,7 +576,7 @@ private:
     JSON material = { { "extensions", { { Unlit, JSON::object() } } }, { "doubleSided", isDouble },
       { "pbrMetallicRoughness", { { "metallicFactor", 0.0 }, { "roughnessFactor", 1.0 } } } };
     std::optional<MappedPart> mapped;
-    if (part.HasMaps)
+    if (part.HasMaps())
     {
       mapped.emplace(this->Mesh, *this->Field.Shown.Maps, part);
     }
@@ -544,7 +586,8 @@ private:
       attributes["TEXCOORD_0"] = this->Data.AddPoints(places.data(), places.size(),
         sizeof(places[0]), { { "componentType", FloatType }, { "type", "VEC2" } });
       material["pbrMetallicRoughness"]["baseColorTexture"] = { { "index",
-        this->AddTexture(mapped->Scale) } };
+        mapped->FindImage() ? this->AddImage(*mapped->FindImage(), mapped->Scale)
+                            : this->AddTexture(mapped->Scale) } };
     }
     if (mapped && mapped->IsCut)
     {
@@ -635,19 +678,63 @@ private:
         }
       }
     }
+    return this->AddTexture("image/png", ToPNG(image),
+      { { "magFilter", NearestFilter }, { "minFilter", NearestFilter }, { "wrapS", ClampToEdge },
+        { "wrapT", ClampToEdge } });
+  }
+
+  static std::string ToPNG(vtkImageData* image)
+  {
     vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);
     writer->WriteToMemoryOn();
     writer->Write();
     vtkUnsignedCharArray* bytes = writer->GetResult();
-    const std::size_t view =
-      this->Data.AddView({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
-        static_cast<std::size_t>(bytes->GetNumberOfValues()) });
-    this->Data.AddTo("images", { { "mimeType", "image/png" }, { "bufferView", view } });
-    this->Data.AddTo("samplers",
-      { { "magFilter", NearestFilter }, { "minFilter", NearestFilter }, { "wrapS", ClampToEdge },
-        { "wrapT", ClampToEdge } });
-    return this->Data.AddTo("textures", { { "sampler", 0 }, { "source", 0 } });
+    return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+      static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+  }
+
+  static std::string ToPNG(const cslf::MapImage& from)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(from.GetLayout().Width, from.GetLayout().Height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (const cslf::MapImage::Pixel& pixel : from.GetPixels())
+    {
+      to = std::copy_n(pixel.begin(), 3, to);
+    }
+    return ToPNG(image);
+  }
+
+  /// An image times a factor.
+  std::size_t AddImage(const cslf::MapImage& image, double scale)
+  {
+    const cslf::MapImage::Layout& layout = image.GetLayout();
+    std::shared_ptr<const cslf::MapImage> scaled;
+    if (scale != 1.0)
+    {
+      const auto getColor = [&](const glm::dvec2& place)
+      { return static_cast<float>(scale) * image.GetColor(place); };
+      scaled = cslf::MapImage::Make(layout, getColor);
+    }
+    const cslf::MapImage& shown = scaled ? *scaled : image;
+    const auto getWrap = [&layout](int axis)
+    { return layout.Repeats[axis] ? Repeat : ClampToEdge; };
+    const bool isJPEG = shown.GetLayout().IsJPEG;
+    return this->AddTexture(isJPEG ? "image/jpeg" : "image/png",
+      isJPEG ? std::string(shown.GetEncoded().begin(), shown.GetEncoded().end()) : ToPNG(shown),
+      { { "magFilter", layout.IsSmooth ? LinearFilter : NearestFilter },
+        { "minFilter", MipmapFilter }, { "wrapS", getWrap(0) }, { "wrapT", getWrap(1) } });
+  }
+
+  std::size_t AddTexture(const char* type, const std::string& bytes, const JSON& sampler)
+  {
+    const JSON texture = { { "sampler", this->Data.AddTo("samplers", sampler) },
+      { "source",
+        this->Data.AddTo(
+          "images", { { "mimeType", type }, { "bufferView", this->Data.AddView(bytes) } }) } };
+    return this->Data.AddTo("textures", texture);
   }
 
   /// By columns.

@@ -121,10 +121,15 @@ JSON DescribeMaps(const cslf::ShownMaps& maps)
   {
     const cslf::ColorMap& map = maps.GetMaps()[i];
     const cslf::ShownArray& shown = maps.GetArrays()[i];
+    if (map.IsImage())
+    {
+      all.push_back({ { "image", true } });
+      continue;
+    }
     JSON one = DescribeColors(map);
     one["range"] = { map.Range[0], map.Range[1] };
     one["logarithmic"] = map.IsLogarithmic;
-    if (!map.IsOneColor)
+    if (map.HasScalars())
     {
       one["array"] = map.Array;
       one["component"] = map.Component;

@@ -10,6 +10,7 @@
 //   BRIGHT           some colours are above 1
 //   CLIPPING_PLANES  how many planes cut it
 //   COLOR_MAPS       some points have light instead of a colour, and a place on a map
+//   IMAGES           some maps are images
 //   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //CSLF::Options::Dec
 
@@ -30,7 +31,8 @@ uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // visible parts lie where they 
 //CSLF::Normals::Dec
 
 #ifdef COLOR_MAPS
-in vec2 placeVSOutput;     // the column, and 1 for values that are not numbers
+// The column, and 1 for values that are not numbers; or the place on an image.
+in vec2 placeVSOutput;
 flat in float mapVSOutput; // negative without one
 uniform sampler2D MapColors;
 
@@ -38,12 +40,53 @@ uniform sampler2D MapColors;
 
 const float NanShare = 0.02; // ColorMap::NanShare
 
+#ifdef IMAGES
+uniform sampler2D MapPixels; // ShownMaps::GetPixels
+
+vec3 GetPixel(vec2 pixel, vec4 extent, vec4 style)
+{
+  vec2 repeated = pixel - extent.zw * floor(pixel / extent.zw);
+  vec2 wrapped = clamp(mix(pixel, repeated, style.xy), vec2(0.0), extent.zw - 1.0);
+  return RayToLinear(texelFetch(MapPixels, ivec2(extent.xy + wrapped), 0).rgb);
+}
+
+// MapImage::GetColor
+vec3 GetImageColor(vec4 extent, vec4 style)
+{
+  if (style.z == 0.0)
+  {
+    return GetPixel(floor(placeVSOutput), extent, style);
+  }
+  vec2 first = floor(placeVSOutput - 0.5);
+  vec2 share = placeVSOutput - 0.5 - first;
+  vec3 lower = mix(GetPixel(first, extent, style),
+    GetPixel(first + vec2(1.0, 0.0), extent, style), share.x);
+  vec3 upper = mix(GetPixel(first + vec2(0.0, 1.0), extent, style),
+    GetPixel(first + 1.0, extent, style), share.x);
+  return mix(lower, upper, share.y);
+}
+#endif
+
+// ColorMap::GetColor
+vec3 GetMapColor()
+{
+  int map = 2 * int(mapVSOutput);
+#ifdef IMAGES
+  vec4 style = texelFetch(MapColors, ivec2(0, map + 1), 0);
+  if (style.w > 1.5) // others are colours, whose alpha is 1
+  {
+    return GetImageColor(texelFetch(MapColors, ivec2(0, map), 0), style);
+  }
+#endif
+  int column = clamp(int(placeVSOutput.x), 0, textureSize(MapColors, 0).x - 1);
+  int row = map + (placeVSOutput.y > NanShare ? 1 : 0);
+  return texelFetch(MapColors, ivec2(column, row), 0).rgb;
+}
+
 // ShowLight of cslfColorMap.h, also brighter than white.
 vec3 ShowLight(vec3 light)
 {
-  int column = clamp(int(placeVSOutput.x), 0, textureSize(MapColors, 0).x - 1);
-  int row = 2 * int(mapVSOutput) + (placeVSOutput.y > NanShare ? 1 : 0);
-  vec3 linear = RayToLinear(light) * texelFetch(MapColors, ivec2(column, row), 0).rgb;
+  vec3 linear = RayToLinear(light) * GetMapColor();
 #ifdef LINEAR_COLOR
   return linear;
 #else

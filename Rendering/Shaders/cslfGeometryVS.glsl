@@ -15,7 +15,7 @@ in vec4 vertexBackColor;
 out vec4 backColorVSOutput;
 #endif
 #ifdef COLOR_MAPS
-in vec2 vertexPlace; // ShownMaps::ListPlaces
+in vec3 vertexPlace; // ShownMaps::ListPlaces
 out vec2 placeVSOutput;
 flat out float mapVSOutput; // its number; negative without one
 #endif
@@ -32,8 +32,8 @@ void main()
   backColorVSOutput = vertexBackColor;
 #endif
 #ifdef COLOR_MAPS
-  mapVSOutput = floor(0.5 * vertexPlace.y);
-  placeVSOutput = vec2(vertexPlace.x, vertexPlace.y - 2.0 * mapVSOutput);
+  mapVSOutput = vertexPlace.z;
+  placeVSOutput = vertexPlace.xy;
 #endif
   gl_Position = CCDCMatrix * vec4(vertexCC, 1.0);
 }

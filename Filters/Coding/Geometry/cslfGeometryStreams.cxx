@@ -210,6 +210,13 @@ void AddMaps(const GeometryStreams& streams, vtkPolyData* geometry)
       array.Points.end(), streams.BodyArrays[i].begin(), streams.BodyArrays[i].end());
     mapped.Arrays.push_back(array.GetArray());
   }
+  const SurfaceArray* onImages = mapped.FindTexturePlaces();
+  for (std::size_t i = 0; i < mapped.Numbers.size(); ++i)
+  {
+    RequireSound(!mapped.Has(i) || !mapped.GetMap(i).IsImage() ||
+      (onImages && std::isfinite(onImages->Components[0].Values[i]) &&
+        std::isfinite(onImages->Components[1].Values[i])));
+  }
   AddMappedPoints(mapped, geometry);
   const PointColorArrays arrays = FindPointColors(geometry);
   for (std::size_t i = 0; i < mapped.Numbers.size(); ++i)

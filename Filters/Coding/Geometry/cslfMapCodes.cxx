@@ -79,7 +79,8 @@ MapCodes::MapCodes(const MappedPoints& points)
   for (std::size_t i = 0; i < points.Numbers.size(); ++i)
   {
     const std::uint8_t number = points.Numbers[i];
-    const int code = number > 0 ? this->Scales[number - 1].ToCode(points.GetPlace(i)) : 0;
+    const bool hasPlace = number > 0 && !this->Maps[number - 1].IsImage();
+    const int code = hasPlace ? this->Scales[number - 1].ToCode(points.GetPlace(i)) : 0;
     const auto low = static_cast<unsigned char>(code & 255);
     const auto high = static_cast<unsigned char>(code >> 8);
     this->Points.insert(this->Points.end(), { low, high, number, 0 });
@@ -108,7 +109,7 @@ void MapCodes::Fit(const MappedPoints& points)
     const glm::dvec3 base = LinearToSRGB(glm::dvec3(points.GetMap(i).GetColor(place)));
     baseSquares += glm::dot(base, base);
     mapped += 1.0;
-    if (place.y < 0.5)
+    if (!points.GetMap(i).IsImage() && place.y < 0.5)
     {
       Scale& scale = this->Scales[number - 1];
       char& isUsed = areUsed[number - 1];
@@ -127,6 +128,10 @@ void MapCodes::Fit(const MappedPoints& points)
   {
     const ColorMap& map = this->Maps[i];
     Scale& scale = this->Scales[i];
+    if (map.IsImage())
+    {
+      continue;
+    }
     const double step =
       std::min(RangeStep * map.GetSteps(), ColorStep / std::max(map.GetSteepness(), 1e-9));
     scale.Bits = MinimumPlaceBits;
@@ -156,8 +161,11 @@ void MapCodes::Describe(nlohmann::json& header) const
   for (std::size_t i = 0; i < this->Maps.size(); ++i)
   {
     nlohmann::json map = ParseJSON(DescribeColorMap(this->Maps[i]));
-    map[PlacesKey] = { this->Scales[i].First, this->Scales[i].Last };
-    map[BitsKey] = this->Scales[i].Bits;
+    if (!this->Maps[i].IsImage())
+    {
+      map[PlacesKey] = { this->Scales[i].First, this->Scales[i].Last };
+      map[BitsKey] = this->Scales[i].Bits;
+    }
     header[MapsKey].push_back(std::move(map));
   }
   header[LightKey] = this->MaximumLight;
@@ -172,6 +180,11 @@ MapCodes MapCodes::Read(const nlohmann::json& header)
   for (const nlohmann::json& map : maps)
   {
     codes.Maps.push_back(ReadColorMap(map.dump()));
+    if (codes.Maps.back().IsImage())
+    {
+      codes.Scales.emplace_back();
+      continue;
+    }
     const auto places = map.at(PlacesKey).get<std::array<double, 2>>();
     const Scale scale{ places[0], places[1], map.at(BitsKey).get<int>() };
     RequireSound(scale.First <= scale.Last && std::isfinite(scale.Last - scale.First) &&
@@ -192,17 +205,23 @@ std::size_t MapCodes::GetColorSize() const
   std::size_t size = 0;
   for (const ColorMap& map : this->Maps)
   {
-    size += Channels * (map.Colors.size() + 1);
+    size += map.IsImage() ? map.Layout.Bytes : Channels * (map.Colors.size() + 1);
   }
   return size;
 }
 
-// Of each map one component after the other, each less the one before.
+// Of each map one component after the other, each less the one before; or an encoded image.
 std::vector<unsigned char> MapCodes::PackColors() const
 {
   std::vector<unsigned char> bytes;
   for (const ColorMap& map : this->Maps)
   {
+    if (map.IsImage())
+    {
+      const std::vector<unsigned char>& encoded = map.Image->GetEncoded();
+      bytes.insert(bytes.end(), encoded.begin(), encoded.end());
+      continue;
+    }
     for (std::size_t c = 0; c < Channels; ++c)
     {
       unsigned char before = 0;
@@ -220,6 +239,12 @@ void MapCodes::UnpackColors(const unsigned char* bytes)
 {
   for (ColorMap& map : this->Maps)
   {
+    if (map.IsImage())
+    {
+      map.Image = MapImage::Read(map.Layout, { bytes, bytes + map.Layout.Bytes });
+      bytes += map.Layout.Bytes;
+      continue;
+    }
     for (std::size_t c = 0; c < Channels; ++c)
     {
       unsigned char value = 0;
@@ -243,7 +268,7 @@ MappedPoints MapCodes::GetPoints(
     const std::uint8_t number = code[2];
     RequireSound(number <= this->Maps.size());
     double scalar = 0.0;
-    if (number > 0)
+    if (number > 0 && !this->Maps[number - 1].IsImage())
     {
       const int place = code[0] + 256 * code[1];
       const Scale& scale = this->Scales[number - 1];

@@ -9,6 +9,9 @@
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfSceneArrays.h"
+#include "cslfSceneMaps.h"
+
+#include <vtkMath.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,8 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <string>
+#include <iterator>
 #include <utility>
 
 namespace cslf
@@ -51,21 +53,15 @@ constexpr float HiddenWeight = 1e-3f;
 /// The largest tolerance of colours whose light is rough.
 constexpr double DetailTolerance = 1.0 / 128.0;
 
-/// The RMS error of colours, from 0 to 1, that places on maps may cause.
-constexpr double PlaceTolerance = 1.0 / 256.0;
-
-/// The largest error of places on maps, as a share of the range.
-constexpr double MaximumPlaceError = 0.005;
-
 /// The RMS error of values of arrays in a triangle that is small enough, as a share of the range:
 /// about a third of what 1 of 100 places may have.
 constexpr double ArrayTolerance = 0.0015;
 
-/// More maps tell no colours: files number them by a byte.
-constexpr std::size_t MaximumMaps = 254;
-
 /// How far borders of regions may have moved, in texels: about as far as surfaces.
 constexpr float MaximumStray = 0.2f;
+
+/// Places on an image that are further away than so many edges of a triangle are not its own.
+constexpr float SeamEdges = 4.0f;
 
 /// How far points that divide edges may move to lie on the surface, in texels.
 constexpr float MaximumShift = 0.25f;
@@ -195,42 +191,6 @@ glm::vec3 ProjectOnto(const Scene& scene, const SurfaceRegions& regions, const g
   return nearest;
 }
 
-/// The maps that tell the colours of a scene's meshes, each once.
-struct SceneMaps
-{
-  std::vector<ColorMap> Maps;
-  std::vector<std::uint8_t> Numbers; ///< of each mesh, from 1, or 0
-  std::vector<float> Tolerances;     ///< of places on each map, in columns
-};
-
-SceneMaps FindMaps(const Scene& scene)
-{
-  SceneMaps result;
-  std::map<std::pair<std::string, std::vector<ColorMap::Pixel>>, std::uint8_t> known;
-  for (const Mesh& mesh : scene.GetMeshes())
-  {
-    const ColorMap* map = mesh.FindMap();
-    result.Numbers.push_back(0);
-    if (!map)
-    {
-      continue;
-    }
-    std::vector<ColorMap::Pixel> colors = map->Colors;
-    colors.push_back(map->NanColor);
-    const auto [found, isNew] = known.emplace(std::make_pair(DescribeColorMap(*map), colors), 0);
-    if (isNew && result.Maps.size() < MaximumMaps)
-    {
-      result.Maps.push_back(*map);
-      found->second = static_cast<std::uint8_t>(result.Maps.size());
-      const double steepness = std::max(map->GetSteepness(), 1e-9);
-      result.Tolerances.push_back(static_cast<float>(
-        std::min(PlaceTolerance / steepness, MaximumPlaceError * map->GetSteps())));
-    }
-    result.Numbers.back() = found->second;
-  }
-  return result;
-}
-
 /// What is known of a place of a surface.
 struct SampledPoint
 {
@@ -295,6 +255,46 @@ std::vector<std::array<char, 2>> FindSeen(const Scene& scene,
   return seen;
 }
 
+/// Some samples of a triangle may lie beyond a seam of its texture: they are much further from the
+/// others than its edges are long, in pixels.
+void DropBeyondSeams(float edges, std::vector<std::array<SampledPoint, 2>>& points)
+{
+  glm::vec2 middle(0.0f);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    std::vector<float> values;
+    for (const std::array<SampledPoint, 2>& both : points)
+    {
+      for (const SampledPoint& point : both)
+      {
+        if (point.Is == SampledPoint::Light::Known)
+        {
+          values.push_back(point.Place[axis]);
+        }
+      }
+    }
+    if (values.empty())
+    {
+      return;
+    }
+    const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), median, values.end());
+    middle[axis] = *median;
+  }
+  const float most = SeamEdges * edges + 1.0f;
+  for (std::array<SampledPoint, 2>& both : points)
+  {
+    for (SampledPoint& point : both)
+    {
+      if (point.Is == SampledPoint::Light::Known &&
+        glm::distance(glm::vec2(point.Place), middle) > most)
+      {
+        point.Is = SampledPoint::Light::Missing;
+      }
+    }
+  }
+}
+
 /// Samples triangles of a surface.
 class LightSampler
 {
@@ -319,10 +319,6 @@ private:
   glm::vec3 FindLight(const Aim& aim) const;
   SampledPoint FindPoint(const Aim& aim) const;
   glm::vec3 Encode(const glm::vec3& radiance) const;
-  std::uint8_t FindMap(std::uint32_t mesh) const
-  {
-    return mesh < this->Maps.Numbers.size() ? this->Maps.Numbers[mesh] : std::uint8_t(0);
-  }
 
   const Scene& World;
   const StoredLight* Stored;
@@ -379,7 +375,7 @@ glm::vec3 LightSampler::FindLight(const Aim& aim) const
   {
     this->Stored->GetShape(aim.Target, this->World.GetSurface(aim.Path, aim.Target), light);
   }
-  return mesh.GetMapFactor() * light;
+  return this->Maps.GetFactor(mesh) * light;
 }
 
 SampledPoint LightSampler::FindPoint(const Aim& aim) const
@@ -392,7 +388,7 @@ SampledPoint LightSampler::FindPoint(const Aim& aim) const
   {
     return point;
   }
-  if (this->FindMap(aim.Target.Mesh) > 0)
+  if (this->Maps.GetNumber(aim.Target.Mesh) > 0)
   {
     const glm::dvec3 light(this->FindLight(aim));
     for (int c = 0; c < 3; ++c)
@@ -403,7 +399,7 @@ SampledPoint LightSampler::FindPoint(const Aim& aim) const
     const TrianglePoint place = aim.Target.GetPlace();
     const glm::dvec3 base(this->Settings.Regions->GetBaseColor(mesh, place));
     point.Detail = glm::vec3(LinearToSRGB(base));
-    point.Place = glm::vec3(this->Settings.Regions->GetMapPlace(mesh, place), 0.0f);
+    point.Place = glm::vec3(this->Maps.GetPlace(mesh, *this->Settings.Regions, place), 0.0f);
   }
   else
   {
@@ -491,8 +487,10 @@ TriangleSamples LightSampler::Sample(
   }
   const bool hasRegion = samples.Region != TriangleSamples::None;
   samples.IsRound = hasRegion && this->World.GetMeshes()[body].Shape != Mesh::Shapes::Triangles;
-  samples.Map = source ? this->FindMap(*source) : hasRegion ? this->FindMap(body) : 0;
-  samples.PlaceTolerance = samples.Map > 0 ? this->Maps.Tolerances[samples.Map - 1] : 0.0f;
+  samples.Map = source ? this->Maps.GetNumber(*source)
+    : hasRegion        ? this->Maps.GetNumber(body)
+                       : std::uint8_t(0);
+  samples.PlaceTolerance = samples.Map > 0 ? this->Maps.GetTolerance(samples.Map) : 0.0f;
   const float edges = glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a);
   const bool dropsOthers = !this->Settings.KeepsMesh &&
     AreStray(regions, samples, MaximumStray * edges / this->Settings.Texel);
@@ -507,12 +505,23 @@ TriangleSamples LightSampler::Sample(
       point = this->FindPoint(aim);
       // Light and colours do not mix, nor do regions whose border is the triangle's.
       if (aim.IsMet &&
-        (this->FindMap(aim.Target.Mesh) != samples.Map ||
+        (this->Maps.GetNumber(aim.Target.Mesh) != samples.Map ||
           (dropsOthers && regions[i][side] != samples.Region)))
       {
         point.Is = SampledPoint::Light::Missing;
       }
-      matter[i][side] = point.Is != SampledPoint::Light::Missing;
+    }
+  }
+  if (samples.Map > 0 && this->Maps.IsImage(samples.Map))
+  {
+    DropBeyondSeams(
+      edges / this->Settings.Texel * this->Maps.GetPixelsOfTexel(samples.Map), points);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    for (const int side : { 0, 1 })
+    {
+      matter[i][side] = points[i][side].Is != SampledPoint::Light::Missing;
     }
   }
   const std::vector<std::array<char, 2>> seen = FindSeen(this->World, aims, matter);
@@ -564,6 +573,36 @@ TriangleSamples LightSampler::Sample(
 }
 }
 
+namespace
+{
+/// Gives points scalars, or places on images.
+void SetPlaces(const std::vector<glm::vec2>& places, MappedPoints& points)
+{
+  SurfaceArray onImages;
+  onImages.Name = TexturePlacesName;
+  onImages.IsInteger = true;
+  onImages.Components = { { "X", {} }, { "Y", {} } };
+  bool hasImages = false;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const bool isOnImage = points.Has(i) && points.GetMap(i).IsImage();
+    hasImages = hasImages || isOnImage;
+    points.Scalars.push_back(
+      points.Has(i) && !isOnImage ? points.GetMap(i).GetValue(places[i]) : 0.0);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      onImages.Components[axis].Values.push_back(isOnImage
+          ? std::round(double(points.GetMap(i).Layout.Steps) * places[i][axis])
+          : vtkMath::Nan());
+    }
+  }
+  if (hasImages)
+  {
+    points.Arrays.push_back(std::move(onImages));
+  }
+}
+}
+
 SideColors FitLight(const Scene& scene, const StoredLight* light,
   const SurfaceLightSettings& settings, const Progress& progress, SurfaceMesh& mesh)
 {
@@ -576,8 +615,8 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   SceneArrays arrays;
   if (settings.ClampsColors)
   {
-    maps = FindMaps(scene);
-    arrays = SceneArrays(scene, maps.Numbers);
+    maps = SceneMaps(meshes, settings.Texel, progress);
+    arrays = SceneArrays(scene, maps.GetNumbers());
   }
   const LightSampler sampler(scene, light, settings, maps, arrays);
   const auto project = [&](const glm::vec3& point, const glm::vec3& normal, std::uint32_t region)
@@ -618,15 +657,12 @@ SideColors FitLight(const Scene& scene, const StoredLight* light,
   SideColors colors = fit.Finish(values);
   if (!values.Places.empty())
   {
-    colors.Mapped.Maps = std::move(maps.Maps);
-    for (std::size_t i = 0; i < values.Places.size(); ++i)
-    {
-      colors.Mapped.Scalars.push_back(
-        colors.Mapped.Has(i) ? colors.Mapped.GetMap(i).GetValue(values.Places[i]) : 0.0);
-    }
+    colors.Mapped.Maps = maps.TakeMaps();
+    SetPlaces(values.Places, colors.Mapped);
     if (!values.Arrays.empty())
     {
-      colors.Mapped.Arrays = arrays.MakeArrays(values.Arrays);
+      std::vector<SurfaceArray> own = arrays.MakeArrays(values.Arrays);
+      std::move(own.begin(), own.end(), std::back_inserter(colors.Mapped.Arrays));
     }
   }
   return colors;

@@ -36,6 +36,10 @@ constexpr Jump AnyJump{ 0.5f / 255.0f, 1e-5 };
 constexpr Jump LargeJump{ 4.0f / 255.0f, 1e-3 };
 constexpr Jump SmallJump{ 0.1f, 0.1 };
 
+/// What is a seam of a texture, and how often regions are divided because of seams.
+constexpr Jump SeamJump{ 2.0f, 1e-3 };
+constexpr int MaximumSplits = 8;
+
 /// Twice the area over the perimeter, in texels, which is the width of a strip and half that of a
 /// square: of what is large, and of the smallest region.
 constexpr float LargeWidth = 0.75f;
@@ -120,7 +124,12 @@ public:
         this->SmallOnes.push_back(i);
       }
     }
-    return this->Number(this->MeasureWidths(), MinimumWidth * texel);
+    std::vector<std::uint32_t> numbers = this->Number(this->MeasureWidths(), MinimumWidth * texel);
+    if (this->Source.FindImage())
+    {
+      this->SplitAtSeams(numbers);
+    }
+    return numbers;
   }
 
   /// The corners of small cells, after Find.
@@ -283,6 +292,69 @@ private:
     return count + (hasSmall ? 1 : 0) > 1 ? numbers : std::vector<std::uint32_t>();
   }
 
+  /// Where a texture begins again beside its end, as around a sphere, both are one region, because
+  /// they are joined elsewhere. Such regions are divided in the middle of the texture, until none
+  /// has such a seam.
+  void SplitAtSeams(std::vector<std::uint32_t>& numbers) const
+  {
+    struct Chart
+    {
+      glm::vec2 Low{ HUGE_VALF };
+      glm::vec2 High{ -HUGE_VALF };
+      glm::vec2 Jumps{ 0.0f }; ///< the sum of those along each axis, at seams
+    };
+    const std::uint32_t count = this->Source.GetNumberOfShapes();
+    const auto findMiddle = [this](std::uint32_t triangle)
+    {
+      return this->Source.Interpolate(
+        this->Source.TexCoords, TrianglePoint{ triangle, 1.0f / 3.0f, 1.0f / 3.0f });
+    };
+    std::vector<std::uint32_t> parts = numbers;
+    parts.resize(count, 0);
+    for (int round = 0; round < MaximumSplits; ++round)
+    {
+      std::vector<Chart> charts(1 + std::size_t(*std::max_element(parts.begin(), parts.end())));
+      bool hasSeams = false;
+      for (std::size_t i = 0; i + 1 < this->Uses.size(); ++i)
+      {
+        const Use& one = this->Uses[i];
+        const Use& other = this->Uses[i + 1];
+        if (one.Edge == other.Edge && parts[one.Triangle] == parts[other.Triangle] &&
+          this->Jumps(one, other, SeamJump))
+        {
+          charts[parts[one.Triangle]].Jumps +=
+            glm::abs(findMiddle(one.Triangle) - findMiddle(other.Triangle));
+          hasSeams = true;
+        }
+      }
+      if (!hasSeams)
+      {
+        break;
+      }
+      for (std::uint32_t i = 0; i < count; ++i)
+      {
+        Chart& chart = charts[parts[i]];
+        chart.Low = glm::min(chart.Low, findMiddle(i));
+        chart.High = glm::max(chart.High, findMiddle(i));
+      }
+      std::vector<std::uint32_t> others(charts.size(), 0);
+      auto next = static_cast<std::uint32_t>(charts.size());
+      for (std::uint32_t i = 0; i < count; ++i)
+      {
+        const Chart& chart = charts[parts[i]];
+        const int axis = chart.Jumps.y > chart.Jumps.x ? 1 : 0;
+        if (chart.Jumps[axis] > 0.0f &&
+          findMiddle(i)[axis] > 0.5f * (chart.Low[axis] + chart.High[axis]))
+        {
+          std::uint32_t& other = others[parts[i]];
+          other = other == 0 ? next++ : other;
+          parts[i] = other;
+        }
+      }
+      numbers = parts;
+    }
+  }
+
   /// Spheres, and tubes that follow each other, are one where they are alike.
   void JoinShapes()
   {
@@ -374,6 +446,12 @@ private:
   bool HasOtherPlace(const TrianglePoint& one, const TrianglePoint& other, const Jump& jump) const
   {
     const ColorMap* map = this->Source.HasInstanceColors ? nullptr : this->Source.FindMap();
+    if (this->Source.FindImage())
+    {
+      const glm::vec2 difference = glm::abs(this->Source.Interpolate(this->Source.TexCoords, one) -
+        this->Source.Interpolate(this->Source.TexCoords, other));
+      return std::max(difference.x, difference.y) > jump.Value;
+    }
     if (!map || map->IsOneColor)
     {
       return false;

@@ -59,6 +59,7 @@ public:
   glm::vec4 Get(const glm::vec2& coordinates) const;
 
   int GetWidth() const { return this->Image.Width; }
+  const TextureImage& GetImage() const { return this->Image; }
 
   /// Whether any alpha is below 1.
   bool IsTranslucent() const { return this->Translucent; }

@@ -76,12 +76,24 @@ glm::vec3 Mesh::GetColor(const TrianglePoint& point) const
   return this->HoldsDisplayed() ? FromDisplayed(color) / this->DisplayedWhite : color;
 }
 
-const ColorMap* Mesh::FindMap() const
+bool Mesh::CanHaveMap() const
 {
-  const bool isPlain = !this->HasInstanceEmissions && this->EmissionsOf == ColorsOf::None &&
+  return !this->HasInstanceEmissions && this->EmissionsOf == ColorsOf::None &&
     !this->Textures.Emission && this->Material.Emission == glm::vec3(0.0f) &&
     (this->Material.Unlit || this->Material.IsLambertian());
-  return this->Map && isPlain && this->Map->IsOpaque() ? this->Map.get() : nullptr;
+}
+
+const ColorMap* Mesh::FindMap() const
+{
+  return this->Map && this->CanHaveMap() && this->Map->IsOpaque() ? this->Map.get() : nullptr;
+}
+
+const Texture* Mesh::FindImage() const
+{
+  const Texture* texture = this->Textures.BaseColor.get();
+  const bool isAlone = !this->Map && this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
+    this->Shape == Shapes::Triangles;
+  return texture && isAlone && this->CanHaveMap() && !texture->IsTranslucent() ? texture : nullptr;
 }
 
 glm::vec2 Mesh::GetMapPlace(const TrianglePoint& point) const

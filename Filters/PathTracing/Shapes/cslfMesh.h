@@ -187,6 +187,9 @@ struct VTKCSLF_EXPORT Mesh
   /// directions; or null.
   const ColorMap* FindMap() const;
 
+  /// The same if that is the image of a texture, whose colours the material's multiplies.
+  const Texture* FindImage() const;
+
   /// The place on the map, and what multiplies its colour.
   glm::vec2 GetMapPlace(const TrianglePoint& point) const;
   glm::vec3 GetMapFactor() const;
@@ -233,6 +236,7 @@ struct VTKCSLF_EXPORT Mesh
     const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
 
 private:
+  bool CanHaveMap() const;
   bool HoldsDisplayed() const { return this->DisplayedWhite.x > 0.0f; }
   glm::vec3 GetColor(const TrianglePoint& point) const;
   glm::vec3 GetEmissionFactor(const TrianglePoint& point) const;
