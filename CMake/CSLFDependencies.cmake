@@ -14,7 +14,7 @@ set(cslf_vtk_components
   ImagingCore ImagingGeneral
   IOCore IOExport IOImage IOXML
   ParallelCore
-  RenderingCore RenderingOpenGL2 vtksys)
+  RenderingCore RenderingOpenGL2 png vtksys)
 # The tool and the tests.
 if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components

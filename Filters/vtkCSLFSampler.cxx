@@ -21,6 +21,7 @@
 #include "cslfColor.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
+#include "cslfJoin.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFEnvironment.h"
 
@@ -39,6 +40,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 
 vtkStandardNewMacro(vtkCSLFSampler);
@@ -317,7 +319,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
       colors.DropMaps();
     }
     cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
-    this->WarnOfArrays();
+    this->WarnOfArrays(scene);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())
     {
@@ -328,28 +330,38 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   this->GeometrySeconds = cslf::SecondsSince(start);
 }
 
-// Names the arrays that were asked for and are not there.
-void vtkCSLFSampler::WarnOfArrays()
+// Names the arrays that were asked for, or kept by the scene, and are not there.
+void vtkCSLFSampler::WarnOfArrays(const cslf::BuiltScene& scene)
 {
-  const cslf::MappedPoints points = cslf::FindMappedPoints(this->Geometry);
-  std::string missing;
+  std::set<std::string> missing;
   for (int i = 0; i < this->SurfaceArraySelection->GetNumberOfArrays(); ++i)
   {
-    const std::string name = this->SurfaceArraySelection->GetArrayName(i);
-    const auto isScalars = [&name](const cslf::ColorMap& map) { return map.Array == name; };
-    const auto isArray = [&name](const cslf::SurfaceArray& array)
-    { return array.Name == cslf::NameScalars(name); };
-    const bool isThere = std::any_of(points.Maps.begin(), points.Maps.end(), isScalars) ||
-      std::any_of(points.Arrays.begin(), points.Arrays.end(), isArray);
-    if (!isThere && this->SurfaceArraySelection->ArrayIsEnabled(name.c_str()))
+    const char* name = this->SurfaceArraySelection->GetArrayName(i);
+    if (this->SurfaceArraySelection->ArrayIsEnabled(name))
     {
-      missing += (missing.empty() ? "" : ", ") + name;
+      missing.insert(cslf::NameScalars(name));
     }
+  }
+  for (const cslf::Mesh& mesh : scene.World->GetMeshes())
+  {
+    for (std::size_t i = 0; i < mesh.GetNumberOfArrays(); ++i)
+    {
+      missing.insert(mesh.GetArray(i).Name);
+    }
+  }
+  const cslf::MappedPoints points = cslf::FindMappedPoints(this->Geometry);
+  for (const cslf::ColorMap& map : points.Maps)
+  {
+    missing.erase(cslf::NameScalars(map.Array));
+  }
+  for (const cslf::SurfaceArray& array : points.Arrays)
+  {
+    missing.erase(array.Name);
   }
   if (!missing.empty())
   {
     vtkWarningMacro("The geometry is without these arrays: "
-      << missing
+      << cslf::Join(missing)
       << ". Only data of opaque surfaces that look the same from all directions is kept, and "
          "only beside one colour or a colour map.");
   }

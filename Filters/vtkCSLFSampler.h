@@ -196,7 +196,8 @@ public:
    * their colours, so that vtkCSLFMapper can show them later: numbers of one or more components.
    * They cost some bytes of the file, and triangles where they vary. Surfaces of one colour get
    * light apart from it. Arrays that are not listed are kept if SetUnknownArraySetting(1) says so.
-   * Surfaces that do not look the same from all directions have none. Default: none.
+   * Surfaces that do not look the same from all directions, or whose points or cells have colours
+   * that no map tells, have none: a warning names arrays that no surface keeps. Default: none.
    */
   vtkDataArraySelection* GetSurfaceArraySelection();
 
@@ -230,7 +231,7 @@ private:
     const cslf::CheckedPicture& whole);
   std::optional<cslf::Geometry> MakeSurface(const cslf::BuiltScene& scene,
     const cslf::Description& description, const cslf::CheckedPicture& whole);
-  void WarnOfArrays();
+  void WarnOfArrays(const cslf::BuiltScene& scene);
   bool RenderSides(
     const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 

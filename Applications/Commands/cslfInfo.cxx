@@ -58,6 +58,7 @@ nlohmann::json SummarizeGeometry(const FieldFile& file)
   {
     json["loss"] = *loss;
   }
+  json["recolorable"] = MeasureRecolorable(geometry);
   json["surfaces"] = IsOpaqueGeometry(geometry) ? "opaque" : "all";
   return json;
 }
@@ -88,6 +89,10 @@ std::string DescribeGeometry(const nlohmann::json& json)
   if (json.contains("loss"))
   {
     text << ", loss " << 100.0 * json["loss"].get<double>() << " %";
+  }
+  if (json["recolorable"] > 0.0)
+  {
+    text << ", " << 100.0 * json["recolorable"].get<double>() << " % in other colours on request";
   }
   return text.str();
 }
@@ -160,7 +165,8 @@ void AddInfo(CLI::App& app, Command& chosen)
     "files that have one), codec, bytes, missing (viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
     "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
-    "that they lack; null if there is none), scalars (what a lookup table coloured: array, "
+    "that they lack, recolorable: the share of their area that can be shown in other colours; null "
+    "if there is none), scalars (what a lookup table coloured: array, "
     "component if it has several, points, range, map_range, logarithmic), parts (additional parts "
     "of a video: type, name, bytes)."));
   const auto fileName = std::make_shared<std::string>();

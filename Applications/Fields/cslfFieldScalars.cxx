@@ -6,7 +6,11 @@
 #include "cslfFieldFiles.h"
 #include "cslfJoin.h"
 
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkTriangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +59,19 @@ void AddValue(FieldScalars& scalars, double value)
     const auto range = scalars.Range.value_or(std::array<double, 2>{ value, value });
     scalars.Range = { std::min(range[0], value), std::max(range[1], value) };
   }
+}
+
+/// Whole numbers with all digits.
+std::string ToText(double value)
+{
+  constexpr double maximumExact = 9007199254740992.0;
+  if (value == std::floor(value) && std::abs(value) <= maximumExact)
+  {
+    return std::to_string(static_cast<std::int64_t>(value));
+  }
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
 /// A component's number, if the text is the letter of one of the first three.
@@ -134,6 +151,30 @@ std::vector<FieldScalars> ListScalars(const FieldFile& file)
   return all;
 }
 
+double MeasureRecolorable(vtkPolyData* geometry)
+{
+  const MappedPoints points = FindMappedPoints(geometry);
+  double mapped = 0.0;
+  double all = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPolys(); ++i)
+  {
+    geometry->GetPolys()->GetCellAtId(i, corners);
+    double places[3][3];
+    std::set<int> maps;
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const vtkIdType point = corners->GetId(k);
+      geometry->GetPoint(point, places[k]);
+      maps.insert(points.Numbers.empty() ? 0 : points.Numbers[static_cast<std::size_t>(point)]);
+    }
+    const double area = vtkTriangle::TriangleArea(places[0], places[1], places[2]);
+    mapped += maps.size() == 1 && *maps.begin() > 0 ? area : 0.0;
+    all += area;
+  }
+  return all > 0.0 ? mapped / all : 0.0;
+}
+
 std::string ListLabels(const std::vector<FieldScalars>& scalars)
 {
   std::set<std::string> labels;
@@ -169,7 +210,7 @@ std::string Describe(const FieldScalars& scalars)
   text << scalars.GetLabel() << ", " << scalars.Points << " points";
   if (scalars.Range)
   {
-    text << " from " << (*scalars.Range)[0] << " to " << (*scalars.Range)[1];
+    text << " from " << ToText((*scalars.Range)[0]) << " to " << ToText((*scalars.Range)[1]);
   }
   if (scalars.HasMap)
   {

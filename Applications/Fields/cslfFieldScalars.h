@@ -42,6 +42,10 @@ struct FieldScalars
 /// Reads the geometry. None if there are no scalars.
 std::vector<FieldScalars> ListScalars(const FieldFile& file);
 
+/// The share of a geometry's area whose colours a map tells, so that they can be changed, from 0 to
+/// 1.
+double MeasureRecolorable(vtkPolyData* geometry);
+
 /// The labels, each once.
 std::string ListLabels(const std::vector<FieldScalars>& scalars);
 

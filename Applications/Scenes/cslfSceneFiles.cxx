@@ -15,8 +15,8 @@
 
 #include "Console/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "Pipeline/cslfValidPolyData.h"
-#include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJSONText.h"
 #include "cslfJoin.h"
 #include "vtkCSLFGLTFReader.h"
@@ -316,21 +316,10 @@ Part ReadScenePart(const std::string& input)
 
 void Scene::GetBounds(double bounds[6]) const
 {
-  vtkBoundingBox box;
-  this->ForEachPolyData(
-    [&](vtkPolyData* polyData)
-    {
-      const vtkBoundingBox placed = GetPlacedBounds(polyData);
-      if (placed.IsValid() && std::isfinite(placed.GetDiagonalLength()))
-      {
-        box.AddBox(placed);
-      }
-    });
-  if (!box.IsValid())
+  if (!FindSceneBounds({ this->Parts.begin(), this->Parts.end() }, bounds))
   {
-    box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+    vtkBoundingBox(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5).GetBounds(bounds);
   }
-  box.GetBounds(bounds);
 }
 
 void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const

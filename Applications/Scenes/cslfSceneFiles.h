@@ -37,8 +37,8 @@ public:
   std::vector<vtkSmartPointer<vtkDataObject>> Parts;
   nlohmann::json Legend; ///< what colours files, see SceneLook
 
-  /// The bounds of all cells and of their instances, in VTK's order. A unit box around the origin
-  /// if there are none.
+  /// The bounds of all cells with their radii, and of their instances, in VTK's order. A unit box
+  /// around the origin if there are none.
   void GetBounds(double bounds[6]) const;
 
   /// Visits the polygonal data of all parts.

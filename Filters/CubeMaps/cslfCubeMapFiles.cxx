@@ -273,7 +273,7 @@ std::unique_ptr<ImageReader> OpenCubeMap(
     return nullptr;
   }
   const ImageHeader& header = input->GetHeader();
-  const bool fits = header.Width == width && header.Height == height && header.Depth == 1 &&
+  const bool fits = header.Width == width && header.Height == height &&
     header.Channels == channel.Components && header.Type == FindPixelType(channel);
   return fits ? std::move(input) : nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include "Images/cslfImageFiles.h"
 
+#include <vtk_png.h>
 #include <zlib.h>
 
 #include <cstdint>
@@ -56,9 +57,12 @@ std::string FindFormat(const Bytes& bytes, const std::string& extension)
 // big-endian.
 constexpr std::size_t PNGSignature = 8;
 constexpr std::size_t PNGChunkEnds = 12;
+// Where the first chunk tells the bits of a sample.
+constexpr std::size_t PNGDepth = 24;
 
 /// The chunks of a PNG file that define pixels. Textures ignore its colour space (glTF, section
-/// 3.8.2). Damage is detected here, because the PNG library would print messages. Empty on damage.
+/// 3.8.2). Damage is detected here, because OpenImageIO's PNG library would print messages. Empty
+/// on damage.
 std::string KeepPixels(const Bytes& bytes, std::string& error)
 {
   static const std::set<std::string> kept = { "IHDR", "PLTE", "tRNS", "IDAT", "IEND" };
@@ -90,19 +94,20 @@ std::string KeepPixels(const Bytes& bytes, std::string& error)
   return result;
 }
 
-/// An image whose first row is the lowest, as in VTK.
+/// An image of 8 bits, whose values are not set. Null if its size is not supported.
 vtkSmartPointer<vtkImageData> MakeImage(
-  int width, int height, int components, const std::vector<unsigned char>& pixels)
+  std::uint64_t width, std::uint64_t height, int components, std::string& error)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(width, height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-  auto* target = static_cast<unsigned char*>(image->GetScalarPointer());
-  const std::size_t row = static_cast<std::size_t>(width) * components;
-  for (int y = 0; y < height; ++y)
+  const bool hasSize =
+    width * height > 0 && width * height <= MaximumPixels && components > 0 && components <= 4;
+  if (!hasSize)
   {
-    std::memcpy(target + y * row, pixels.data() + (height - 1 - y) * row, row);
+    error = "has a size that is not supported";
+    return nullptr;
   }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(width), static_cast<int>(height), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
   return image;
 }
 
@@ -117,21 +122,48 @@ vtkSmartPointer<vtkImageData> Decode(
     return nullptr;
   }
   const ImageHeader& header = input->GetHeader();
-  const std::uint64_t count = std::uint64_t(header.Width) * header.Height;
-  const bool hasSize =
-    count > 0 && header.Channels > 0 && header.Channels <= 4 && count <= MaximumPixels;
-  if (!hasSize)
+  auto image = MakeImage(header.Width, header.Height, header.Channels, error);
+  if (!image)
   {
-    error = "has a size that is not supported";
     return nullptr;
   }
-  std::vector<unsigned char> pixels(count * header.Channels);
+  const std::size_t row = static_cast<std::size_t>(header.Width) * header.Channels;
+  std::vector<unsigned char> pixels(row * header.Height);
   if (!input->Read(PixelType::Bytes, pixels.data(), reason))
   {
     error = "cannot be decoded: " + reason;
     return nullptr;
   }
-  return MakeImage(header.Width, header.Height, header.Channels, pixels);
+  auto* target = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < header.Height; ++y)
+  {
+    std::memcpy(target + y * row, pixels.data() + (header.Height - 1 - y) * row, row);
+  }
+  return image;
+}
+
+/// The same for PNG files of at most 8 bits, without loading OpenImageIO.
+vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes, std::string& error)
+{
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  vtkSmartPointer<vtkImageData> image;
+  if (png_image_begin_read_from_memory(&png, bytes.Data, bytes.Size))
+  {
+    png.format &= PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_ALPHA;
+    image = MakeImage(png.width, png.height, PNG_IMAGE_SAMPLE_CHANNELS(png.format), error);
+    const auto row = static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(png));
+    if (image && !png_image_finish_read(&png, nullptr, image->GetScalarPointer(), -row, nullptr))
+    {
+      image = nullptr;
+    }
+  }
+  if (!image && error.empty())
+  {
+    error = std::string("cannot be decoded: ") + png.message;
+  }
+  png_image_free(&png);
+  return image;
 }
 }
 
@@ -150,9 +182,13 @@ vtkSmartPointer<vtkImageData> DecodeImage(
     return Decode(bytes, format, error);
   }
   const std::string pixelsOnly = KeepPixels(bytes, error);
-  return pixelsOnly.empty()
-    ? nullptr
-    : Decode({ reinterpret_cast<const unsigned char*>(pixelsOnly.data()), pixelsOnly.size() },
-        format, error);
+  if (pixelsOnly.empty())
+  {
+    return nullptr;
+  }
+  const Bytes kept = { reinterpret_cast<const unsigned char*>(pixelsOnly.data()),
+    pixelsOnly.size() };
+  const bool isDeep = kept.Size > PNGDepth && kept.Data[PNGDepth] > 8;
+  return isDeep ? Decode(kept, format, error) : DecodePNG(kept, error);
 }
 }

@@ -34,7 +34,6 @@ struct ImageHeader
 {
   int Width = 0;
   int Height = 0;
-  int Depth = 1;
   int Channels = 0;
   PixelType Type = PixelType::Other;
   bool HasFloats = false;                        ///< of any size
@@ -65,7 +64,7 @@ public:
   /// All channels of the pixels, by rows from the top, converted to the type.
   virtual bool Read(PixelType type, void* pixels, std::string& error) = 0;
 
-  /// Goes on to the next image of the file. False if there is none.
+  /// Goes on to the next image of the file. False if there is none, or if it is a volume.
   virtual bool GoOn() = 0;
 
 protected:

@@ -36,7 +36,6 @@ ImageHeader ToHeader(const OIIO::ImageSpec& spec)
   ImageHeader header;
   header.Width = std::max(spec.width, 0);
   header.Height = std::max(spec.height, 0);
-  header.Depth = spec.depth;
   header.Channels = std::max(spec.nchannels, 0);
   header.HasFloats = spec.format.is_floating_point();
   for (const PixelType type : { PixelType::Bytes, PixelType::Words, PixelType::Floats })
@@ -97,14 +96,10 @@ public:
     }
     const std::string reason = OIIO::geterror();
     error = error.empty() ? reason : error;
-    if (this->Input && this->Input->spec().depth > 1)
+    if (this->Input && !this->TakeHeader())
     {
       error = "It is a volume.";
       this->Input.reset();
-    }
-    if (this->Input)
-    {
-      this->Header = ToHeader(this->Input->spec());
     }
     return this->Input != nullptr;
   }
@@ -129,11 +124,17 @@ public:
       return false;
     }
     ++this->Image;
-    this->Header = ToHeader(this->Input->spec());
-    return true;
+    return this->TakeHeader();
   }
 
 private:
+  /// False for a volume, whose pixels are more than the header tells.
+  bool TakeHeader()
+  {
+    this->Header = ToHeader(this->Input->spec());
+    return this->Input->spec().depth <= 1;
+  }
+
   std::unique_ptr<OIIO::Filesystem::IOMemReader> Memory;
   std::unique_ptr<OIIO::ImageInput> Input; // ends first
   int Image = 0;

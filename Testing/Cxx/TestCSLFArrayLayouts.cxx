@@ -249,6 +249,7 @@ void TestEncoder(vtkImageData* field, vtkImageData* other, const std::string& fo
     {
       const std::string name = folder + "/" + std::to_string(keyViews) + std::to_string(k) + ".mp4";
       vtkNew<vtkCSLFEncoder> encoder;
+      encoder->SetPreset("ultrafast");
       encoder->GetRateControl()->SetKeyViewStep(keyViews);
       CSLF_CHECK(cslf::testing::Encode(encoder, inputs[k], name));
       files[k] = cslf::testing::ReadBytes(name);

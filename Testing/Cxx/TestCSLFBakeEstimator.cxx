@@ -154,7 +154,7 @@ void TestLeastResolution(const std::string& folder)
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(sampler);
   sampler->SetIntegratorToPathTracing();
-  sampler->SetViewpoints(3);
+  sampler->SetViewpoints(2);
   sampler->SetResolution(128);
   sampler->SetSamples(1);
   vtkNew<vtkCSLFEncoder> encoder;

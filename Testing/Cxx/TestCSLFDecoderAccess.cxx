@@ -279,6 +279,7 @@ int TestCSLFDecoderAccess(int argc, char* argv[])
   for (const std::string& name : names)
   {
     vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetPreset("ultrafast");
     CSLF_CHECK(cslf::testing::Encode(encoder, field, name));
     const auto whole = cslf::testing::Decode(name);
     CSLF_CHECK(whole != nullptr);
@@ -297,7 +298,7 @@ int TestCSLFDecoderAccess(int argc, char* argv[])
     {
       vtkNew<vtkCSLFEncoder> encoder;
       encoder->SetCodec(codec);
-      encoder->SetPreset("fast");
+      encoder->SetPreset("ultrafast");
       const std::string name = folder + "/" + codec + ".mp4";
       CSLF_CHECK(cslf::testing::Encode(encoder, field, name));
       TestSingle(name, cslf::testing::Decode(name));

@@ -311,6 +311,7 @@ void WriteField(
   encoder->SetGeometryData(surfaces);
   encoder->SetFileName(fileName.c_str());
   encoder->SetCodec(codec);
+  encoder->SetPreset("ultrafast");
   encoder->RestartOff();
   CSLF_CHECK(encoder->Write() == 1);
 }

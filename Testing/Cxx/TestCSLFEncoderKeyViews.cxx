@@ -141,7 +141,7 @@ void TestGeometry(const std::string& fileName)
 {
   const cslf::Cube box{ { 10.0, -3.0, 2.0 }, { 4.0, 3.0, 5.0 } };
   const auto field =
-    cslf::testing::MakeTestField(cslf::Layout(9, 32), box, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+    cslf::testing::MakeTestField(cslf::Layout(5, 32), box, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
   const auto geometry = cslf::testing::MakeTestSurfaces(box);
   const double without = MeasureFewest(field, fileName);
   const double with = MeasureFewest(field, fileName, geometry);

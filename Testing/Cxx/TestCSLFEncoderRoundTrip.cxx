@@ -74,6 +74,7 @@ void TestPixelFormats(vtkImageData* field, const std::string& folder)
     const std::string fileName = folder + "/" + format + ".mp4";
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetPixelFormat(format);
+    encoder->SetPreset("ultrafast");
     encoder->GetRateControl()->SetCRF(18);
     encoder->SetGroupLength(5);
     CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
@@ -96,6 +97,7 @@ void TestFullCoverage(vtkImageData* field, const std::string& folder)
   full->DeepCopy(field);
   full->GetPointData()->GetArray(cslf::ColorName)->FillComponent(3, 255);
   vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
   CSLF_CHECK(cslf::testing::Encode(encoder, full, folder + "/full.mp4"));
   const auto decoded = cslf::testing::Decode(folder + "/full.mp4");
   CSLF_CHECK(decoded != nullptr);

@@ -343,6 +343,7 @@ void TestStatic(const std::string& fileName, vtkImageData* whole)
   {
     const std::string other = fileName + "." + std::to_string(viewpoints) + ".mp4";
     vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetPreset("ultrafast");
     CSLF_CHECK(cslf::testing::Encode(
       encoder, cslf::testing::MakeByteField(viewpoints, viewpoints == 3 ? 64 : 16), other));
     streamed.Decoder->SetFileName(other.c_str());
@@ -379,6 +380,7 @@ int TestCSLFMapperStreaming(int argc, char* argv[])
   const std::string fileName =
     cslf::testing::MakeFolder(argc, argv, "MapperStreaming") + "/field.mp4";
   vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
   CSLF_CHECK(
     cslf::testing::Encode(encoder, cslf::testing::MakeByteField(Viewpoints, Resolution), fileName));
   const auto whole = cslf::testing::Decode(fileName);

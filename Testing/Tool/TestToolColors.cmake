@@ -34,8 +34,10 @@ expect_json(OFF scalars 0 logarithmic)
 expect_json_at_least(4 scalars 0 points)
 expect_json_at_least(-1.01 scalars 0 range 0)
 expect_json_at_least(0.99 scalars 0 range 1)
+expect_json(1.0 geometry recolorable)
 cslf_run(info square.vti)
-if (NOT output MATCHES "scalars +place:0, [0-9]+ points .*, colour map from -1 to 1\n")
+if (NOT output MATCHES "geometry +[^\n]*, 100 % in other colours on request\n" OR
+    NOT output MATCHES "scalars +place:0, [0-9]+ points .*, colour map from -1 to 1\n")
   message(FATAL_ERROR "The scalars are not listed: ${output}")
 endif ()
 
@@ -88,6 +90,34 @@ foreach (component IN ITEMS x y) # the magnitude of the corners is not that of t
   expect_psnr(40 shown.png traced.png)
 endforeach ()
 cslf_warn(1 "without these arrays: speed" ${plain} -o kept.vti --arrays place,speed)
+
+# A square beside one whose cells have colours of their own, which keeps no arrays and says so. Large
+# whole numbers have all their digits.
+foreach (name IN ITEMS id beside)
+  set(id "<DataArray type=\"Int64\" Name=\"${name}\" format=\"ascii\">1234567890123 1234567890124</DataArray>")
+  set(paint "<DataArray type=\"UInt8\" Name=\"paint\" NumberOfComponents=\"3\" format=\"ascii\">
+255 0 0 0 0 255</DataArray>")
+  file(READ "${DIRECTORY}/square.vtp" text)
+  if (name STREQUAL "id")
+    string(REGEX REPLACE "<PointData.*</PointData>" "<CellData>${id}</CellData>" text "${text}")
+  else ()
+    string(REGEX REPLACE "<PointData.*</PointData>" "<CellData Scalars=\"paint\">${id}${paint}</CellData>" text "${text}")
+    string(REPLACE "-1 -1 0 1 -1 0 1 1 0 -1 1 0" "2 -1 0 4 -1 0 4 1 0 2 1 0" text "${text}")
+  endif ()
+  file(WRITE "${DIRECTORY}/${name}.vtp" "${text}")
+endforeach ()
+cslf_warn(1 "without these arrays: beside, paint[.]" sample id.vtp beside.vtp -o kept.vti -M 2 -N 16
+  --quality preview --colors exact --arrays all)
+cslf_run(info kept.vti)
+if (NOT output MATCHES "id, [0-9]+ points from 1234567890123 to 1234567890124\n")
+  message(FATAL_ERROR "The range of large numbers is not listed: ${output}")
+endif ()
+cslf_run(info kept.vti --json)
+expect_json_at_least(0.49 geometry recolorable)
+string(JSON share GET "${output}" geometry recolorable)
+if (share GREATER 0.51)
+  message(FATAL_ERROR "${share} of two squares can be recoloured, of which one can.")
+endif ()
 
 # Without array, surfaces are white.
 file(WRITE "${DIRECTORY}/plain.obj" "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n")

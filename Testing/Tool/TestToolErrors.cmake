@@ -36,6 +36,11 @@ cslf_fail("not a light field" "" info text.txt)
 cslf_fail("other" "" info other)
 cslf_fail("not PNG" "" compare text.png text.png)
 cslf_fail("no file" "" compare nowhere.png text.png)
+# A picture of one pixel whose checksums are right, but not its data.
+execute_process(
+  COMMAND sh -c "printf 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAAB0lEQVRubyBkYXRhJgtSaAAAAABJRU5ErkJggg==' | base64 -d"
+  OUTPUT_FILE "${DIRECTORY}/broken.png")
+cslf_fail("broken.png cannot be decoded" "" compare broken.png broken.png)
 # More strings than are announced, which VTK would write beyond the array's end.
 string(REPEAT "65 0 " 1000 strings)
 file(WRITE "${DIRECTORY}/strings.vti" "<VTKFile type=\"ImageData\" version=\"0.1\"

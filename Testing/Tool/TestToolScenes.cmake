@@ -132,6 +132,12 @@ expect_json_at_least(2.3244 edge)
 cslf_run(sample cloud.ply -o cloud.vti ${tiny} --point-radius 0.5)
 cslf_run(info cloud.vti --json)
 expect_json_at_least(3.2999 edge)
+# Its views show what those of the scene do.
+cslf_run(sample cloud.ply -o cloud.vti -M 2 -N 32 --spp 4 --max-depth 2 --point-radius 0.5)
+cslf_run(trace cloud.ply -o cloud.png ${view} --point-radius 0.5)
+cslf_run(render cloud.vti -o rendered.png --size 32 24)
+cslf_run(compare rendered.png cloud.png --json)
+expect_json_at_least(28 psnr)
 cslf_fail("--point-radius" "x" trace cloud.ply -o x.png --point-radius -1)
 
 # A square with a hole, whose outline has a bridge.

@@ -199,6 +199,30 @@ public:
 
   BuiltScene Build(const std::vector<vtkDataObject*>& inputs)
   {
+    this->Read(inputs);
+    BuiltScene built;
+    if (!this->GetBounds(built.Bounds))
+    {
+      return this->Finish(std::move(built), {}, {});
+    }
+    const double size = glm::length(this->Upper - this->Lower);
+    if (size > 0.0 && !(size >= MinimumSize && size <= MaximumSize))
+    {
+      built.Error = DescribeSize(size);
+      return built;
+    }
+    built.Frame = { 0.5 * (this->Lower + this->Upper), 0.5 * size };
+    LightSet lights;
+    lights.Surroundings = this->Surroundings.value_or(this->Options.Surroundings);
+    built.HasEnvironment = this->Surroundings.has_value();
+    this->Lights.MoveTo(lights, built.Frame);
+    std::vector<Mesh> meshes = this->MakeMeshes(built.Frame);
+    return this->Finish(std::move(built), std::move(meshes), std::move(lights));
+  }
+
+  /// Reads what tells the bounds.
+  void Read(const std::vector<vtkDataObject*>& inputs)
+  {
     const std::vector<int>& ranks = this->Options.Ranks;
     for (std::size_t i = 0; i < inputs.size(); ++i)
     {
@@ -215,29 +239,17 @@ public:
     }
     this->Omitted.Lights = this->Lights.GetNumberOfRejected();
     this->SetRadii();
-    BuiltScene built;
-    if (!(this->Lower.x <= this->Upper.x))
-    {
-      return this->Finish(std::move(built), {}, {});
-    }
-    const double size = glm::length(this->Upper - this->Lower);
-    if (size > 0.0 && !(size >= MinimumSize && size <= MaximumSize))
-    {
-      built.Error = DescribeSize(size);
-      return built;
-    }
-    built.Frame = { 0.5 * (this->Lower + this->Upper), 0.5 * size };
+  }
+
+  /// False if there are none.
+  bool GetBounds(double bounds[6]) const
+  {
     for (int axis = 0; axis < 3; ++axis)
     {
-      built.Bounds[2 * axis] = this->Lower[axis];
-      built.Bounds[2 * axis + 1] = this->Upper[axis];
+      bounds[2 * axis] = this->Lower[axis];
+      bounds[2 * axis + 1] = this->Upper[axis];
     }
-    LightSet lights;
-    lights.Surroundings = this->Surroundings.value_or(this->Options.Surroundings);
-    built.HasEnvironment = this->Surroundings.has_value();
-    this->Lights.MoveTo(lights, built.Frame);
-    std::vector<Mesh> meshes = this->MakeMeshes(built.Frame);
-    return this->Finish(std::move(built), std::move(meshes), std::move(lights));
+    return this->Lower.x <= this->Upper.x;
   }
 
 private:
@@ -655,5 +667,14 @@ catch (const Aborted&)
   BuiltScene built;
   built.IsAborted = true;
   return built;
+}
+
+bool FindSceneBounds(const std::vector<vtkDataObject*>& inputs, double bounds[6])
+{
+  SceneOptions options;
+  options.FindScalars = [](vtkPolyData*, bool&) { return nullptr; };
+  Builder builder(options);
+  builder.Read(inputs);
+  return builder.GetBounds(bounds);
 }
 }

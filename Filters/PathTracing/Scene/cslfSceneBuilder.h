@@ -69,6 +69,10 @@ struct BuiltScene
 /// Builds the scene from polygonal data and composite data sets of polygonal data.
 VTKCSLF_EXPORT BuiltScene BuildScene(
   const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
+
+/// The bounds of that scene, with the radii of lines and points, without building it. False if
+/// there is nothing to trace.
+VTKCSLF_EXPORT bool FindSceneBounds(const std::vector<vtkDataObject*>& inputs, double bounds[6]);
 }
 
 #endif
