@@ -8,10 +8,11 @@ list(APPEND classes
   ../Filters/vtkCSLFGeometryFilter
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFRateControl
-  ../Filters/vtkCSLFResample)
+  ../Filters/vtkCSLFResample
+  ../Filters/vtkCSLFSeriesReader)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
-cslf_add(Filters/Files AtomicFile FileSystem JSONFile LockedFile WorkFolder)
+cslf_add(Filters/Files AtomicFile FileSeries FileSystem JSONFile LockedFile WorkFolder)
 if (WIN32)
   cslf_add(Filters/Files/Windows FileSystem LockedFile Windows)
 else ()
@@ -150,8 +151,8 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()
 
-# Estimates of costs.
+# Estimates of costs, and scenes that change over time.
 if (CSLF_ENABLE_ENCODER)
-  list(APPEND classes ../Filters/Planning/vtkCSLFBakeEstimator)
+  list(APPEND classes ../Filters/Planning/vtkCSLFBakeEstimator ../Filters/vtkCSLFSeriesWriter)
   cslf_add(Filters/Planning BakeProbe FieldDetail)
 endif ()

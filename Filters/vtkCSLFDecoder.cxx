@@ -48,6 +48,7 @@ class vtkCSLFDecoder::Internals
 public:
   std::optional<cslf::FieldView> View;   ///< of the file that is open
   std::weak_ptr<cslf::FieldStore> Store; ///< of the view, while somebody uses it
+  std::string FileName;                  ///< that is open, or could not be opened
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field;                               ///< of every output
@@ -257,7 +258,7 @@ bool vtkCSLFDecoder::Guard(const std::function<bool()>& work)
 bool vtkCSLFDecoder::Fail(unsigned long code, const std::string& problem)
 {
   this->SetErrorCode(code);
-  vtkErrorMacro("Cannot read " << this->FileName << ": " << problem << ".");
+  vtkErrorMacro("Cannot read " << this->Internal->FileName << ": " << problem << ".");
   return false;
 }
 
@@ -269,7 +270,8 @@ int vtkCSLFDecoder::RequestInformation(
   this->Internal->SetMissing({});
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   cslf::LendStore(outInfo, [this] { return this->GetStore(); });
-  if (!this->FileName || !*this->FileName)
+  this->Internal->FileName = this->ChooseFile(outInfo);
+  if (this->Internal->FileName.empty())
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     vtkErrorMacro("There is no file name.");
@@ -352,7 +354,7 @@ void vtkCSLFDecoder::ReadGeometry(vtkPolyData* output)
   }
   else
   {
-    vtkWarningMacro(<< this->FileName << " can be read, but " << error << ".");
+    vtkWarningMacro(<< this->Internal->FileName << " can be read, but " << error << ".");
   }
 }
 
@@ -386,14 +388,14 @@ void vtkCSLFDecoder::WarnOfHeader()
   const std::string all = cslf::Join(this->Internal->View->GetHeader().Warnings, "; ");
   if (!all.empty())
   {
-    vtkWarningMacro(<< this->FileName << " can be read, but " << all << ".");
+    vtkWarningMacro(<< this->Internal->FileName << " can be read, but " << all << ".");
   }
 }
 
 bool vtkCSLFDecoder::OpenFile()
 {
   cslf::OpenError failure;
-  this->Internal->SetFile(cslf::FieldReader::Open(this->FileName, failure));
+  this->Internal->SetFile(cslf::FieldReader::Open(this->Internal->FileName, failure));
   if (!this->Internal->View)
   {
     return this->Fail(failure.Code, failure.Text);
@@ -470,7 +472,7 @@ bool vtkCSLFDecoder::ReportFileDamage(const std::function<bool(double)>& progres
   }
   if (missing.size() > known)
   {
-    vtkWarningMacro(<< this->FileName << " is " << state << ": " << text << ".");
+    vtkWarningMacro(<< this->Internal->FileName << " is " << state << ": " << text << ".");
   }
   return true;
 }
@@ -537,7 +539,7 @@ bool vtkCSLFDecoder::RequireViewpoint(vtkIdType z)
   if (!this->Internal->HasViewpoint(z))
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("There is no viewpoint " << z << " in " << this->FileName << ".");
+    vtkErrorMacro("There is no viewpoint " << z << " in " << this->Internal->FileName << ".");
     return false;
   }
   return true;
@@ -600,7 +602,7 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
     const bool isUnwritten =
       std::binary_search(unwritten.begin(), unwritten.end(), static_cast<int>(z));
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("Viewpoint " << z << " of " << this->FileName << " is "
+    vtkErrorMacro("Viewpoint " << z << " of " << this->Internal->FileName << " is "
                                << (isUnwritten ? "not written yet." : "damaged."));
     return false;
   }

@@ -46,7 +46,7 @@
  * specifies it.
  *
  * @sa
- * vtkCSLFEncoder
+ * vtkCSLFEncoder vtkCSLFSeriesReader
  */
 #ifndef vtkCSLFDecoder_h
 #define vtkCSLFDecoder_h
@@ -241,6 +241,15 @@ public:
 protected:
   vtkCSLFDecoder();
   ~vtkCSLFDecoder() override;
+
+  /**
+   * The file to open, in RequestInformation, for what is requested of output port 0. Empty if there
+   * is none.
+   */
+  virtual std::string ChooseFile(vtkInformation* vtkNotUsed(request))
+  {
+    return this->FileName ? this->FileName : "";
+  }
 
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

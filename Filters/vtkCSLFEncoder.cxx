@@ -216,16 +216,40 @@ std::string vtkCSLFEncoder::FindPreset()
   return cslf::ChoosePreset(this->Preset, quality.value_or(options::Quality.Default));
 }
 
-cslf::EncodeJob vtkCSLFEncoder::MakeJob()
+cslf::EncodeSettings vtkCSLFEncoder::FindSettings()
 {
-  cslf::EncodeJob job;
   vtkCSLFRateControl* rate = this->RateControl;
-  job.FileName = this->FileName ? this->FileName : "";
-  job.Settings = { this->FindPreset(), this->PixelFormat ? this->PixelFormat : "", rate->GetCRF(),
+  return { this->FindPreset(), this->PixelFormat ? this->PixelFormat : "", rate->GetCRF(),
     rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
     this->DepthFromGeometry,
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
     rate->GetKeyViewStep(), rate->GetTargetNovelViewPSNR(), this->Codec ? this->Codec : "" };
+}
+
+std::string vtkCSLFEncoder::MakeRecord()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->UpdateInformation();
+  }
+  nlohmann::json record = cslf::DescribeSettings(this->FindSettings());
+  record["depth_from_geometry"] = this->DepthFromGeometry;
+  record["key_view_step"] = this->RateControl->GetKeyViewStep();
+  record["novel_psnr"] = this->RateControl->GetTargetNovelViewPSNR();
+  record["certificate"] = this->Certificate;
+  record["has_geometry"] = this->GetNumberOfInputConnections(1) > 0;
+  for (const cslf::FilePart& part : this->Parts->Parts)
+  {
+    record["parts"].push_back({ part.Type, part.Name, part.Bytes });
+  }
+  return record.dump();
+}
+
+cslf::EncodeJob vtkCSLFEncoder::MakeJob()
+{
+  cslf::EncodeJob job;
+  job.FileName = this->FileName ? this->FileName : "";
+  job.Settings = this->FindSettings();
   job.Parts = this->Parts->Parts;
   job.Restart = this->Restart;
   job.Overwrite = this->Overwrite;

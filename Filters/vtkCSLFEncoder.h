@@ -95,6 +95,7 @@ struct Certificate;
 struct Description;
 struct EncodeError;
 struct EncodeJob;
+struct EncodeSettings;
 struct FilePart;
 }
 
@@ -292,6 +293,13 @@ public:
    */
   virtual int Write();
 
+  /**
+   * A record of all that the file's bytes depend on besides the field: the settings, the parts and
+   * the versions of the libraries, as JSON text. Updates the information of the input. Used by
+   * vtkCSLFSeriesWriter.
+   */
+  std::string MakeRecord();
+
   ///@{
   /**
    * The results of the last Write on rank 0, all 0 if it failed: the mean rate factor of colour
@@ -360,6 +368,7 @@ private:
   std::string FindPreset();
   std::optional<cslf::Certificate> Certify(const std::string& fileName);
   cslf::EncodeError FindError();
+  cslf::EncodeSettings FindSettings();
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeSession& session);
   bool CopyPart(const char* type, vtkUnsignedCharArray* bytes, const char* name);

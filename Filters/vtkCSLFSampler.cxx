@@ -42,6 +42,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkCSLFSampler);
 cslfSetOptionMacro(vtkCSLFSampler, Viewpoints, Viewpoints);
@@ -172,7 +173,15 @@ vtkTypeBool vtkCSLFSampler::ProcessRequest(
   {
     cslf::ChoosePorts(
       request, outputVector, cslf::IsWholeRequested(outputVector->GetInformationObject(0)));
+    for (int port = 0; this->IsSceneAlone && port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      cslf::SetNotMade(outputVector, port);
+    }
     return 1;
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()))
+  {
+    cslf::ShareTime(request, outputVector);
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -185,6 +194,12 @@ int vtkCSLFSampler::RequestData(
   if (!scene || !this->Describe(*scene, description))
   {
     return cslf::IsAborted(this) ? 1 : 0;
+  }
+  this->DropOthers(*scene, outputVector);
+  this->Record = this->MakeRecord(*scene, description);
+  if (this->IsSceneAlone)
+  {
+    return 1;
   }
   const int side = this->Resolution;
   const cslf::CheckedPicture whole{ side, side, cslf::TileCount, description.Grid.GetSlices(),
@@ -204,6 +219,57 @@ int vtkCSLFSampler::RequestData(
   return 1;
 }
 
+// An output that is not made stays as it is, unless it is of another scene: that of another time is
+// not known to be older.
+void vtkCSLFSampler::DropOthers(const cslf::BuiltScene& scene, vtkInformationVector* outputVector)
+{
+  const std::string hash = scene.Fingerprint + scene.ArraysFingerprint;
+  for (int port = 0; port < 2 && hash != this->OutputScene; ++port)
+  {
+    if (!cslf::IsPortWanted(outputVector, port))
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+  }
+  this->OutputScene = hash;
+}
+
+// What the samples and the geometry depend on. The results of the cache are not known before.
+std::string vtkCSLFSampler::MakeRecord(
+  const cslf::BuiltScene& scene, const cslf::Description& description)
+{
+  nlohmann::json sampling = nlohmann::json::parse(this->DescribeSampling());
+  const auto cache = sampling.find("cache");
+  if (cache != sampling.end())
+  {
+    cache->erase("used_spacing");
+    cache->erase("check");
+  }
+  std::vector<std::string> arrays;
+  for (int i = 0; i < this->SurfaceArraySelection->GetNumberOfArrays(); ++i)
+  {
+    if (this->SurfaceArraySelection->GetArraySetting(i))
+    {
+      arrays.emplace_back(this->SurfaceArraySelection->GetArrayName(i));
+    }
+  }
+  const nlohmann::json record = { { "description", description.ToJSON() }, { "sampling", sampling },
+    { options::SurfaceTexels.Key, this->SurfaceTexels },
+    { "geometry_triangles", this->GeometryTriangles }, { "arrays", arrays },
+    { "array_contents", scene.ArraysFingerprint } };
+  return record.dump();
+}
+
+std::string vtkCSLFSampler::UpdateRecord()
+{
+  this->Record.clear();
+  this->IsSceneAlone = true;
+  this->Modified();
+  this->Update(0);
+  this->IsSceneAlone = false;
+  return this->Record;
+}
+
 // The field that is to be sampled. Reports an error and returns false if there is none.
 bool vtkCSLFSampler::Describe(const cslf::BuiltScene& scene, cslf::Description& description)
 {
@@ -214,6 +280,7 @@ bool vtkCSLFSampler::Describe(const cslf::BuiltScene& scene, cslf::Description& 
     description.Box = { { this->CubeCenter[0], this->CubeCenter[1], this->CubeCenter[2] },
       { this->CubeEdges[0], this->CubeEdges[1], this->CubeEdges[2] } };
   }
+  std::copy_n(scene.Bounds, 6, this->SceneBounds);
   if (!description.Box.Contains(scene.Bounds))
   {
     vtkErrorMacro("The cube must strictly contain the scene.");

@@ -206,6 +206,19 @@ public:
    */
   vtkMTimeType GetMTime() override;
 
+  /**
+   * Updates the scene without sampling it, and returns a record of all that the field depends on: a
+   * hash of the scene and the parameters, as JSON text. Fields of equal records are equal. Empty
+   * after an error or if aborted. Used by vtkCSLFSeriesWriter.
+   */
+  std::string UpdateRecord();
+
+  /**
+   * The bounds of the scene of the last update, in world coordinates, with the radii of points and
+   * lines. Default: 0, 1 along each axis.
+   */
+  vtkGetVector6Macro(SceneBounds, double);
+
 protected:
   vtkCSLFSampler();
   ~vtkCSLFSampler() override;
@@ -232,6 +245,8 @@ private:
   std::optional<cslf::Geometry> MakeSurface(const cslf::BuiltScene& scene,
     const cslf::Description& description, const cslf::CheckedPicture& whole);
   void WarnOfArrays(const cslf::BuiltScene& scene);
+  void DropOthers(const cslf::BuiltScene& scene, vtkInformationVector* outputVector);
+  std::string MakeRecord(const cslf::BuiltScene& scene, const cslf::Description& description);
   bool RenderSides(
     const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 
@@ -244,6 +259,10 @@ private:
   double GeometrySeconds = 0.0;
   vtkSmartPointer<vtkPolyData> Geometry; // null unless it was made
   std::string GeometryKey;               // what it was made for
+  std::string OutputScene;               // the hash of that of the outputs
+  std::string Record;                    // of the field, as of the last update
+  bool IsSceneAlone = false;             // whether an update makes no output
+  double SceneBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   double CubeCenter[3] = { 0.0, 0.0, 0.0 };
   double CubeEdges[3] = { 2.0, 2.0, 2.0 };
   int ColorType = VTK_UNSIGNED_CHAR;

@@ -211,6 +211,16 @@ cslfSetOptionMacro(vtkCSLFSceneLook, ColorMap, ColorMap);
 cslfSetOptionMacro(vtkCSLFSceneLook, Light, Light);
 cslfSetOptionMacro(vtkCSLFSceneLook, UpAxis, UpAxis);
 
+void vtkCSLFSceneLook::SetGrowColorRange(bool grow)
+{
+  if (this->GrowColorRange != grow)
+  {
+    this->GrowColorRange = grow;
+    this->GrownRanges.clear();
+    this->Modified();
+  }
+}
+
 const char* vtkCSLFSceneLook::GetColorMapName(int map)
 {
   return FindName(options::ColorMap, map);
@@ -332,6 +342,7 @@ int vtkCSLFSceneLook::RequestData(
     coloring.ComponentName = this->ColorComponent;
     coloring.ColorMap = this->ColorMap;
     coloring.Range = this->AutomaticColorRange ? nullptr : this->ColorRange;
+    coloring.GrowingRanges = this->GrowColorRange ? &this->GrownRanges : nullptr;
     coloring.Apply(this->Legend);
     this->HasLights = copier.HasLights;
   }
@@ -357,6 +368,7 @@ void vtkCSLFSceneLook::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorComponent: " << this->ColorComponent << "\n";
   os << indent << "ColorMap: " << GetColorMapName(this->ColorMap) << "\n";
   os << indent << "AutomaticColorRange: " << this->AutomaticColorRange << "\n";
+  os << indent << "GrowColorRange: " << this->GrowColorRange << "\n";
   os << indent << "ColorRange: " << this->ColorRange[0] << ", " << this->ColorRange[1] << "\n";
   os << indent << "Light: " << GetLightName(this->Light) << "\n";
   os << indent << "UpAxis: " << GetUpAxisName(this->UpAxis) << "\n";

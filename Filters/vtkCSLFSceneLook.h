@@ -37,6 +37,8 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkNew.h" // for Legend
 
+#include <array>  // for GrownRanges
+#include <map>    // for GrownRanges
 #include <string> // for ColorArrayName
 
 class vtkCSLFEnvironment;
@@ -128,6 +130,18 @@ public:
   vtkSetMacro(AutomaticColorRange, bool);
   vtkGetMacro(AutomaticColorRange, bool);
   vtkBooleanMacro(AutomaticColorRange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether automatic ranges grow: that of an array then includes its values in all updates since
+   * this was switched on, so that steps of time get equal colours after each of them was updated
+   * once. An array that varies only over time is shown then, too. vtkCSLFSeriesWriter does this.
+   * Default: off.
+   */
+  void SetGrowColorRange(bool grow);
+  vtkGetMacro(GrowColorRange, bool);
+  vtkBooleanMacro(GrowColorRange, bool);
   ///@}
 
   ///@{
@@ -255,6 +269,8 @@ private:
   std::string ColorComponent;
   int ColorMap;
   bool AutomaticColorRange = true;
+  bool GrowColorRange = false;
+  std::map<std::string, std::array<double, 2>> GrownRanges; // by the names of arrays
   double ColorRange[2] = { 0.0, 1.0 };
   int Light;
   int UpAxis;

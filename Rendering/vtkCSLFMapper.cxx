@@ -246,7 +246,7 @@ bool vtkCSLFMapper::UpdateField()
   vtkInternals& internals = *this->Internals;
   vtkAlgorithm* producer = this->GetInputAlgorithm();
   vtkInformation* output = this->GetInputInformation();
-  const bool isKnown = this->Static || producer->GetExecutive()->UpdateInformation() != 0;
+  const bool isKnown = this->Static || cslf::UpdateInformation(this->GetInputConnection(0, 0));
   // A producer that lends a store, such as a decoder, is not updated: viewpoints come from its
   // store as they are needed.
   const bool isLent = cslf::IsStoreLent(output);

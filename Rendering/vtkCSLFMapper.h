@@ -46,6 +46,9 @@
  * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
  * To find the triangle under a pixel, let them search the geometry.
  *
+ * Of a field that changes over time, the mapper draws the time that is requested of its input
+ * (UPDATE_TIME_STEP), for example by vtkCSLFSeriesReader::SetTime.
+ *
  * With StaticOn, the input is not updated, as in other mappers: a mapper of a vtkCSLFDecoder draws
  * the file that the decoder has open, also after its file name has changed, until the decoder's
  * UpdateInformation or Update opens the other one.
@@ -55,7 +58,7 @@
  * released, and a picture for each actor, renderer, camera and eye, up to 256 MiB. Pictures that
  * are not drawn in 32 frames are freed.
  *
- * @sa vtkCSLFSampler vtkCSLFDecoder vtkCSLFToneMapping
+ * @sa vtkCSLFSampler vtkCSLFDecoder vtkCSLFSeriesReader vtkCSLFToneMapping
  */
 #ifndef vtkCSLFMapper_h
 #define vtkCSLFMapper_h

@@ -3,6 +3,7 @@
 
 // cslf info: describes the contents of a light field's file.
 #include "Console/cslfHelp.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfFieldScalars.h"
@@ -17,6 +18,7 @@
 
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -24,6 +26,12 @@ namespace cslf::tool
 {
 namespace
 {
+struct Options
+{
+  std::string FileName;
+  std::optional<double> Time;
+};
+
 std::string JoinNumbers(const nlohmann::json& numbers)
 {
   return JoinAs(
@@ -97,13 +105,21 @@ std::string DescribeGeometry(const nlohmann::json& json)
   return text.str();
 }
 
-Result Run(const std::string& fileName)
+/// The times of a series in words.
+std::string DescribeSteps(const nlohmann::json& steps)
 {
-  const FieldFile file = OpenField(fileName);
+  return JoinAs(
+    steps, [](const nlohmann::json& step) { return step["time"].dump(); }, " ");
+}
+
+Result Run(const Options& options)
+{
+  const FieldFile file = OpenField(options.FileName, options.Time);
   Result result;
   result.JSON = Summarize(file.Field);
   result.JSON["codec"] = GetCodecName(file);
-  result.JSON["bytes"] = CountBytes(file.FileName);
+  result.JSON["bytes"] = CountBytes(file);
+  result.JSON["steps"] = ListSteps(file);
   result.JSON["missing"] = CountMissing(file);
   result.JSON["unfinished"] = IsUnfinished(file);
   result.JSON["geometry"] = SummarizeGeometry(file);
@@ -113,6 +129,10 @@ Result Run(const std::string& fileName)
 
   const nlohmann::json& json = result.JSON;
   Table table;
+  if (!json["steps"].empty())
+  {
+    table.AddRow({ "times", DescribeSteps(json["steps"]) });
+  }
   table.AddRow({ "viewpoints",
     json["views"].dump() + " x " + json["views"].dump() + " on 6 faces, " +
       json["slices"].dump() });
@@ -162,17 +182,19 @@ void AddInfo(CLI::App& app, Command& chosen)
     "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
     "(one number, or three if they differ), channels, sampling, certificate (see cslf verify; only "
     "of "
-    "files that have one), codec, bytes, missing (viewpoints "
+    "files that have one), codec, bytes, steps (of a series: time, file, bytes), missing "
+    "(viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
     "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
     "that they lack, recolorable: the share of their area that can be shown in other colours; null "
     "if there is none), scalars (what a lookup table coloured: array, "
     "component if it has several, points, range, map_range, logarithmic), parts (additional parts "
     "of a video: type, name, bytes)."));
-  const auto fileName = std::make_shared<std::string>();
-  command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->FileName, std::string("the light field: ") + ReadFormats)
     ->type_name(FilePlaceholder)
     ->required();
-  command->callback([fileName, &chosen] { chosen = [fileName] { return Run(*fileName); }; });
+  command->add_option(TimeFlag, options->Time, TimeHelp)->check(Finite())->type_name("TIME");
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -143,7 +143,8 @@ void AddRender(CLI::App& app, Command& chosen)
     "render", "Draw a novel view of a light field, or the views along a camera path");
   command->footer(MakeFooter({ "cslf render box.mp4 -o view.png --position 0.6 0.3 4.4",
     "cslf render box.mp4 --path swing --frames 100 -o swing.mp4",
-    "cslf render flow.mp4 -o x.png --color-map viridis --range 0 5 --scalar-bar" }));
+    "cslf render flow.mp4 -o x.png --color-map viridis --range 0 5 --scalar-bar",
+    "cslf render wave.mp4.series -o x.png --time 0.5" }));
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   command

@@ -4,24 +4,29 @@
 // cslf sample: samples a scene as a light field.
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
+#include "Console/cslfNumberChecks.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfGeometryFiles.h"
+#include "Files/cslfFileSeries.h"
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfIntegratorOptions.h"
 #include "Pictures/cslfPictures.h"
 #include "Pictures/cslfScenePicture.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
+#include "vtkCSLFSceneLook.h"
 
 #ifdef CSLF_HAS_ENCODER
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFSeriesWriter.h"
 #endif
 #include "Options/cslfTableOptions.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkDataArraySelection.h>
 #include <vtkNew.h>
 
@@ -31,10 +36,13 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace cslf::tool
 {
@@ -73,11 +81,15 @@ struct Options
   bool Estimate = false;
   std::map<std::string, bool> Channels; ///< whether to sample each
   std::vector<std::string> Arrays;      ///< that surfaces keep
+  std::vector<int> TimeSteps;           ///< the first and the last; all if it is empty
+  int TimeStepInterval = 1;
   bool Float = false;
 };
 
 /// Words in place of arrays.
 constexpr const char* AllArrays = "all";
+constexpr const char* RangeFlag = "--time-step-range";
+constexpr const char* IntervalFlag = "--time-step-interval";
 constexpr const char* NoArrays = "none";
 
 void SetCube(const Options& options, vtkCSLFSampler* sampler)
@@ -115,9 +127,8 @@ void CheckFormat(const Options& options, FieldFormat format)
   }
 }
 
-void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
+void SetUp(const Options& options, vtkCSLFSampler* sampler)
 {
-  options.Scene.Apply(scene, sampler);
   sampler->SetViewpoints(options.Viewpoints);
   sampler->SetResolution(options.Resolution);
   options.Integrator.Apply(sampler);
@@ -219,7 +230,8 @@ Result Estimate(const Options& options)
   CheckFormat(options, format);
   const Scene scene = options.Scene.Read();
   vtkNew<vtkCSLFSampler> sampler;
-  SetUp(options, scene, sampler);
+  options.Scene.Apply(scene, sampler);
+  SetUp(options, sampler);
   const auto estimator = MakeEstimator(options, format, sampler);
   ChooseSamples(options, format, sampler);
   if (!estimator->Estimate())
@@ -266,7 +278,9 @@ Result Estimate(const Options&)
 /// Names the field and the picture after the scene, in the current folder.
 void NameOutputs(Options& options)
 {
-  const std::string name = ToName(ToPath(options.Scene.GetFirst()).stem());
+  std::filesystem::path path = ToPath(options.Scene.GetFirst());
+  path = path.extension() == FileSeriesExtension ? path.stem() : path;
+  const std::string name = ToName(path.stem());
   options.Output = name + ".mp4";
   options.Implied.push_back(options.Output);
   if (options.Picture.empty())
@@ -294,11 +308,102 @@ void CheckOutputs(const Options& options)
   }
 }
 
+#ifdef CSLF_HAS_ENCODER
+/// Tells which step is next.
+void NoteStep(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto* writer = vtkCSLFSeriesWriter::SafeDownCast(caller);
+  PrintNote("step " + std::to_string(writer->GetDoneSteps() + 1) + " of " +
+    std::to_string(writer->GetNumberOfSteps()) + ": " + writer->GetStepFileName());
+}
+
+/// Writes a field for each time.
+Result RunSeries(const Options& options, const std::vector<double>& times)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const FieldOutput output(options.Output, options.Coding);
+  CheckFormat(options, output.GetFormat());
+  if (output.GetFormat() != FieldFormat::Video || options.TimeBudget > 0.0)
+  {
+    throw Failure("A scene with several times needs a video as output, .mp4 or .mkv, and no "
+                  "--time-budget: or choose one by --time.");
+  }
+  options.Scene.RequireOther(options.Output);
+  if (!options.Picture.empty() && IsFirstRank())
+  {
+    const Scene scene = options.Scene.ReadAt(times.front());
+    WriteScenePicture(options.Picture, options.Scene, scene, options.Replaces(options.Picture));
+    PrintNote(options.Picture + " is the first picture");
+  }
+  vtkNew<vtkCSLFSampler> sampler;
+  vtkCSLFSceneLook* look = options.Scene.ApplySeries(times, sampler);
+  SetUp(options, sampler);
+  vtkNew<vtkCSLFSeriesWriter> writer;
+  writer->SetSampler(sampler);
+  writer->SetLook(look);
+  if (!options.TimeSteps.empty())
+  {
+    writer->SetTimeStepRange(options.TimeSteps.data());
+  }
+  writer->SetTimeStepInterval(options.TimeStepInterval);
+  vtkNew<vtkCallbackCommand> note;
+  note->SetCallback(NoteStep);
+  writer->AddObserver(vtkCommand::StartEvent, note);
+  output.WriteSeries(sampler->GetOutputPort(0),
+    options.GeometryTriangles > 0 ? sampler->GetOutputPort(1) : nullptr, writer);
+  ThrowOnError();
+  if (!IsFirstRank())
+  {
+    return {};
+  }
+  Result result;
+  const std::string name = options.Output + FileSeriesExtension;
+  const FieldFile file = OpenField(name);
+  result.JSON = Summarize(file.Field);
+  result.JSON["output"] = name;
+  result.JSON["steps"] = ListSteps(file);
+  result.JSON["kept_steps"] = writer->GetKeptSteps();
+  result.JSON["bytes"] = CountBytes(file);
+  result.JSON["seconds"] = SecondsSince(start);
+  result.JSON["legend"] = options.Scene.GetLook().GetLegend();
+  std::ostringstream text;
+  text << DescribeLegend(result.JSON["legend"]);
+  if (!options.Picture.empty())
+  {
+    result.JSON["picture"] = options.Picture;
+    text << options.Picture << "\n";
+  }
+  text << name << ": " << writer->GetNumberOfSteps() << " time steps, ";
+  if (writer->GetKeptSteps() > 0)
+  {
+    text << writer->GetKeptSteps() << " of them from an earlier run, ";
+  }
+  text << result.JSON["bytes"] << " bytes, " << SecondsSince(start) << " s\n";
+  result.Text = text.str();
+  return result;
+}
+#endif
+
 Result Run(const Options& options)
 {
   const auto start = std::chrono::steady_clock::now();
   CheckCube(options);
   CheckOutputs(options);
+  const std::vector<double> times =
+    options.Scene.GetTime() ? std::vector<double>() : options.Scene.FindTimes();
+  if (times.size() > 1)
+  {
+#ifdef CSLF_HAS_ENCODER
+    return RunSeries(options, times);
+#else
+    throw Failure(NoEncoder);
+#endif
+  }
+  if (!options.TimeSteps.empty() || options.TimeStepInterval > 1)
+  {
+    throw Failure("There are no time steps that " +
+      std::string(options.TimeSteps.empty() ? IntervalFlag : RangeFlag) + " could choose.");
+  }
   const FieldOutput writer(options.Output, options.Coding);
   CheckFormat(options, writer.GetFormat());
   options.Scene.RequireOther(options.Output);
@@ -319,7 +424,8 @@ Result Run(const Options& options)
     PrintNote(options.Picture + " is the first picture");
   }
   vtkNew<vtkCSLFSampler> sampler;
-  SetUp(options, scene, sampler);
+  options.Scene.Apply(scene, sampler);
+  SetUp(options, sampler);
   ChooseSamples(options, writer.GetFormat(), sampler);
   vtkAlgorithmOutput* geometry =
     options.GeometryTriangles > 0 ? sampler->GetOutputPort(1) : nullptr;
@@ -440,6 +546,23 @@ void AddField(CLI::App& command, Options& options)
     ->check(Positive())
     ->type_name("LENGTH")
     ->group(field);
+  const std::string time = "Scenes with several times";
+  command.get_option(TimeFlag)->group(time)->description(
+    "bake one time only: the last one of the scene that is not later (default: all, each in a file "
+    "of its own)");
+  command
+    .add_option(RangeFlag, options.TimeSteps,
+      "the first and the last time step to bake, from 0 on (default: all)")
+    ->expected(2)
+    ->check(Between(0, std::numeric_limits<int>::max()))
+    ->excludes(command.get_option(TimeFlag))
+    ->type_name("FIRST LAST")
+    ->group(time);
+  command.add_option(IntervalFlag, options.TimeStepInterval, "bake every so many of these steps")
+    ->check(Between(1, std::numeric_limits<int>::max()))
+    ->excludes(command.get_option(TimeFlag))
+    ->capture_default_str()
+    ->group(time);
   AddChannels(command, options, field);
   command.add_flag("--float", options.Float, "store linear float colours instead of sRGB bytes")
     ->group(field);
@@ -449,8 +572,14 @@ void AddField(CLI::App& command, Options& options)
 void AddSample(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("sample", "Sample a light field from a scene");
-  command->footer(MakeFooter({ "cslf sample dragon.ply --quality preview",
-    "cslf sample cornell-box -M 9 -N 128 -o box.mp4" }));
+  command->footer(MakeFooter(
+    { "cslf sample dragon.ply --quality preview", "cslf sample cornell-box -M 9 -N 128 -o box.mp4",
+      "cslf sample wave.vtp.series -o wave.mp4" },
+    "A scene that has several times, in a .pvd, .vtp.series, .vtm.series or another file with time "
+    "steps, becomes a video for each, wave_0000.mp4 and so on, and their index wave.mp4.series. "
+    "They "
+    "have one cube and one range of colours. If the run is interrupted, the next one keeps the "
+    "finished ones."));
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   AddField(*command, *options);

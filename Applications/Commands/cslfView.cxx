@@ -199,6 +199,7 @@ void Advance(Session& session)
   }
   else if (session.Style->GetState() == VTKIS_NONE)
   {
+    session.Shown.Play();
     const bool isMissing = !session.Shown.IsComplete() || session.Field.Update();
     if (session.Shown.Refine(session.TruthSamples) || isMissing)
     {
@@ -372,8 +373,9 @@ Result Run(Options options)
   {
     RequireDisplay(isVisible); // before the work
   }
-  const FieldFile file =
-    isScene ? BakePreview(options.Scene) : OpenField(FieldInput{ options.Field, true });
+  const FieldFile file = isScene
+    ? BakePreview(options.Scene)
+    : OpenField(FieldInput{ options.Field, true, options.Scene.GetTime() });
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   const FieldColors colors = ChooseColors(options, file, isScene);
@@ -404,6 +406,10 @@ Result Run(Options options)
       { "texture_bytes", viewer.GetTextureBytes() } };
   }
   ThrowOnError();
+  if (const auto time = viewer.GetTime())
+  {
+    result.JSON["time"] = *time;
+  }
   result.JSON["frames_per_second"] = viewer.GetFrameRate();
   result.JSON["truth_samples"] = viewer.GetTruthSamples();
   result.JSON["psnr"] = viewer.GetPSNR();
@@ -415,8 +421,8 @@ void AddView(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
     app.add_subcommand("view", "View a light field or a scene in an interactive window");
-  command->footer(MakeFooter(
-    { "cslf view box.mp4", "cslf view box.mp4 cornell-box --keys st", "cslf view dragon.ply" },
+  command->footer(MakeFooter({ "cslf view box.mp4", "cslf view box.mp4 cornell-box --keys st",
+                               "cslf view dragon.ply", "cslf view wave.mp4.series" },
     "Keys and mouse:\n" + CLI::detail::find_and_replace("  " + Viewer::GetHelp(), "\n", "\n  ") +
       "\n\nSpecify the scene, light and material that the field was sampled with to show the "
       "path-traced scene beside the lookups (key t) and their PSNR against it.\n\n--color-by, "
@@ -426,7 +432,7 @@ void AddView(CLI::App& app, Command& chosen)
   const auto options = std::make_shared<Options>();
   command
     ->add_option("field", options->Field,
-      std::string("the light field, also while it is being written: ") + FieldFormats +
+      std::string("the light field, also while it is being written: ") + ReadFormats +
         "; or a scene, of which a preview is sampled")
     ->type_name(ScenePlaceholder)
     ->required();

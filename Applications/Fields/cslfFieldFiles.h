@@ -17,12 +17,15 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkCSLFEncoder;
+class vtkCSLFSeriesWriter;
 class vtkPolyData;
 
 namespace CLI
@@ -41,6 +44,17 @@ enum class FieldFormat
 
 /// The names of all formats, for help and errors.
 constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
+
+/// Those that can be read.
+constexpr const char* ReadFormats =
+  ".mp4, .mkv, a series of these (.mp4.series), .vti or a folder of cube maps";
+
+///@{
+/// The option that chooses a time.
+constexpr const char* TimeFlag = "--time";
+constexpr const char* TimeHelp =
+  "of files with several times: the last one that is not later than this (default: the first)";
+///@}
 
 /// The heading of the video options in the help.
 constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
@@ -76,8 +90,10 @@ struct FieldInput
 {
   std::string FileName;
   bool AllowMissing = false;
+  std::optional<double> Time = std::nullopt;
 
-  /// Adds the file, as a positional argument of that name, and the option --allow-missing.
+  /// Adds the file, as a positional argument of that name, and the options --time and
+  /// --allow-missing.
   void AddTo(CLI::App& command, const std::string& name = "field");
 };
 
@@ -91,9 +107,10 @@ FieldFormat GetFormat(const std::string& fileName);
 /// Whether a field with that file name is a video.
 bool IsVideo(const std::string& fileName);
 
-/// Opens a field, or the preview of an unfinished one, and reads only its header. Throws a Failure
-/// if it is missing or not a light field.
-FieldFile OpenField(const std::string& name);
+/// Opens a field, or the preview of an unfinished one, and reads only its header. Of a series, that
+/// is the field at a time: see vtkCSLFSeriesReader. Throws a Failure if it is missing or not a
+/// light field.
+FieldFile OpenField(const std::string& name, std::optional<double> time = std::nullopt);
 
 /// Opens a field and checks, without decoding it, that all its viewpoints exist. If not, throws a
 /// MissingViewpoints, unless this is allowed.
@@ -111,6 +128,12 @@ int CountMissing(const FieldFile& file);
 
 /// The coding of colour: "hevc", "av1", "h264", "png", "exr" or "none".
 std::string GetCodecName(const FieldFile& file);
+
+/// The steps of a series: a list of "time", "file" and "bytes". Empty for other fields.
+nlohmann::json ListSteps(const FieldFile& file);
+
+/// The size of a field: of its file, of all files in a folder, or of an index with its files.
+std::uintmax_t CountBytes(const FieldFile& file);
 
 /// The size of a file, or of all files in a folder.
 std::uintmax_t CountBytes(const std::string& fileName);
@@ -159,6 +182,10 @@ public:
   nlohmann::json Write(
     vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
 
+  /// Likewise writes a video for each time of the connection, and their index.
+  void WriteSeries(vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry,
+    vtkCSLFSeriesWriter* writer) const;
+
   FieldFormat GetFormat() const { return this->Format; }
 
   /// Adds the parts of another field's file to a video, except those that it has already, and the
@@ -169,6 +196,10 @@ private:
   /// Only with the video encoder.
   nlohmann::json WriteVideo(
     vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
+  void SetUp(
+    vtkCSLFEncoder* encoder, vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry) const;
+  void Write(
+    vtkCSLFEncoder* encoder, const std::string& label, const std::function<int()>& write) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   std::string FileName;

@@ -7,6 +7,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfSceneText.h"
 #include "Fields/cslfSceneChecks.h"
+#include "Files/cslfFileSeries.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfDescription.h"
 #include "cslfGridText.h"
@@ -481,7 +482,7 @@ void ReadAllArrays(vtkXMLReader*) {}
 /// Reads a file, or the text that stands for it unless that is empty.
 template <typename Reader>
 Part Read(const std::string& fileName, double mostPoints, double mostBytes,
-  const std::string& text = std::string())
+  const std::string& text = std::string(), std::optional<double> time = std::nullopt)
 {
   const auto read = [&](SurfaceMaker& maker)
   {
@@ -492,6 +493,10 @@ Part Read(const std::string& fileName, double mostPoints, double mostBytes,
     {
       reader->SetReadFromInputString(true);
       reader->SetInputString(text);
+    }
+    if (time)
+    {
+      reader->UpdateTimeStep(*time);
     }
     reader->Update();
     ThrowOnError();
@@ -516,7 +521,7 @@ Part Read(const std::string& fileName, double mostPoints, double mostBytes,
 }
 }
 
-vtkSmartPointer<vtkDataObject> ReadXMLGrid(const std::string& fileName)
+vtkSmartPointer<vtkDataObject> ReadXMLGrid(const std::string& fileName, std::optional<double> time)
 {
   CheckVTKXML(fileName);
   // Extents and numbers of values are checked.
@@ -536,7 +541,31 @@ vtkSmartPointer<vtkDataObject> ReadXMLGrid(const std::string& fileName)
   return extension == ".vtpd" ? Read<vtkXMLPartitionedDataSetReader>(fileName, unlimited, unlimited)
     : extension == ".vtpc"
     ? Read<vtkXMLPartitionedDataSetCollectionReader>(fileName, unlimited, unlimited)
-    : Read<vtkXMLGenericDataObjectReader>(fileName, unlimited, unlimited);
+    : Read<vtkXMLGenericDataObjectReader>(fileName, unlimited, unlimited, {}, time);
+}
+
+std::vector<double> FindXMLTimes(const std::string& fileName)
+{
+  // The element of the data has them in an attribute. Who reads the file reports what is wrong.
+  const SeparateMessages messages;
+  vtkSmartPointer<vtkXMLDataElement> root;
+  try
+  {
+    root = ReadVTKXML(fileName);
+  }
+  catch (const Failure&)
+  {
+    return {};
+  }
+  const char* type = root ? root->GetAttribute("type") : nullptr;
+  vtkXMLDataElement* data = type ? root->FindNestedElementWithName(type) : nullptr;
+  const char* text = data ? data->GetAttribute("TimeValues") : nullptr;
+  std::vector<double> times;
+  for (const std::string_view word : Split(text ? text : ""))
+  {
+    times.push_back(ToFinite(word).value_or(0.0));
+  }
+  return times;
 }
 
 vtkSmartPointer<vtkDataObject> ReadLegacyGrid(const std::string& fileName)
@@ -548,12 +577,11 @@ vtkSmartPointer<vtkDataObject> ReadLegacyGrid(const std::string& fileName)
     BytesPerByte * bytes + MinimumMemory, ReplaceNotFinite(fileName));
 }
 
-vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,
-  const std::function<vtkSmartPointer<vtkDataObject>(const std::string&)>& read)
+TimedFiles FindCollected(const std::string& fileName)
 {
   const auto root = ReadVTKXML(fileName);
   vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-  std::map<double, std::vector<std::string>> steps; // the files at each time
+  TimedFiles steps;
   for (int i = 0; collection && i < collection->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* element = collection->GetNestedElement(i);
@@ -565,19 +593,39 @@ vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,
       throw Failure(
         "its entry " + std::to_string(i + 1) + " has no " + (file ? "valid time step." : "file."));
     }
-    steps[*number].emplace_back(file);
+    steps[*number].push_back(ToName(ToPath(fileName).parent_path() / ToPath(file)));
   }
   if (steps.empty())
   {
     throw Failure("it is not a collection of files.");
   }
-  const std::vector<std::string>& names = steps.begin()->second;
+  return steps;
+}
+
+TimedFiles FindSeries(const std::string& fileName)
+{
+  std::string error;
+  const auto series = FileSeries::Read(fileName, error);
+  if (!series)
+  {
+    throw Failure(error + ".");
+  }
+  TimedFiles steps;
+  for (std::size_t step = 0; step < series->Files.size(); ++step)
+  {
+    steps[series->Files[step].Time].push_back(series->GetPath(step, fileName));
+  }
+  return steps;
+}
+
+vtkSmartPointer<vtkDataObject> ReadBlocks(const std::vector<std::string>& fileNames,
+  const std::function<vtkSmartPointer<vtkDataObject>(const std::string&)>& read)
+{
   std::map<std::string, Part> parts;
   vtkNew<vtkMultiBlockDataSet> blocks;
-  for (const std::string& name : names)
+  for (const std::string& file : fileNames)
   {
-    const std::string file = ToName(ToPath(fileName).parent_path() / ToPath(name));
-    Part& part = parts[name];
+    Part& part = parts[file];
     if (!part && !(IsXMLGrid(file) && IsEmptyGrid(file)))
     {
       part = read(file);
@@ -586,11 +634,6 @@ vtkSmartPointer<vtkDataObject> ReadCollection(const std::string& fileName,
     {
       blocks->SetBlock(blocks->GetNumberOfBlocks(), part);
     }
-  }
-  if (steps.size() > 1)
-  {
-    AddWarning("Of the " + std::to_string(steps.size()) + " time steps of " + fileName +
-      ", the first is shown.");
   }
   return blocks;
 }

@@ -4,33 +4,30 @@
 
 #include "Console/cslfHelp.h"
 #include "Console/cslfMessages.h"
-#include "Console/cslfSceneText.h"
-#include "Fields/cslfOutputFiles.h"
-#include "Fields/cslfSceneChecks.h"
-#include "Files/cslfFileSystem.h"
-#include "cslfGridReader.h"
-#include "cslfOBJReader.h"
-#include "cslfPLYReader.h"
-#include "cslfSTLReader.h"
-
 #include "Console/cslfNumberChecks.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfOutputFiles.h"
+#include "Files/cslfFileSeries.h"
+#include "Files/cslfFileSystem.h"
 #include "Options/cslfTableOptions.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "Pipeline/cslfValidPolyData.h"
 #include "cslfJSONText.h"
-#include "cslfJoin.h"
-#include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFSceneSource.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCellData.h>
-#include <vtkDataObjectTree.h>
-#include <vtkDataObjectTreeIterator.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiBlockDataSetAlgorithm.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <CLI/CLI.hpp>
 
@@ -41,7 +38,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <new>
 #include <set>
 #include <type_traits>
 
@@ -57,151 +53,62 @@ constexpr double UsualIndexOfRefraction = 1.5;
 
 using Part = vtkSmartPointer<vtkDataObject>;
 
-template <typename Reader>
-Part ReadWith(const std::string& fileName)
+/// The files of a scene at the times of a series.
+class vtkSceneSeries : public vtkMultiBlockDataSetAlgorithm
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  return reader->GetOutputDataObject(0);
-}
+public:
+  static vtkSceneSeries* New();
+  vtkTypeMacro(vtkSceneSeries, vtkMultiBlockDataSetAlgorithm);
 
-using Readers = std::map<std::string, std::function<Part(const std::string&)>>;
+  std::vector<double> Times;
+  std::function<std::vector<Part>(double time)> Read;
 
-/// The readers of one file by its extension.
-const Readers& GetFileReaders()
-{
-  static const Readers readers = []
+protected:
+  vtkSceneSeries() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
   {
-    Readers all = {
-      { ".ply", ReadPLY },
-      { ".stl", ReadSTL },
-      { ".obj", ReadOBJ },
-      { ".vtk", ReadLegacyGrid },
-      { ".gltf", ReadWith<vtkCSLFGLTFReader> },
-      { ".glb", ReadWith<vtkCSLFGLTFReader> },
-    };
-    for (const char* extension : { ".vtp", ".vtm", ".vtu", ".vti", ".vtr", ".vts", ".vtpd", ".vtpc",
-           ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts" })
-    {
-      all[extension] = ReadXMLGrid;
-    }
-    return all;
-  }();
-  return readers;
-}
-
-/// The reader of a file; null if there is none for its extension.
-const Readers::mapped_type* FindReader(const Readers& readers, const std::string& fileName)
-{
-  const auto found = readers.find(ToLower(ToName(ToPath(fileName).extension())));
-  return found == readers.end() ? nullptr : &found->second;
-}
-
-/// A file that a collection names.
-Part ReadEntry(const std::string& fileName)
-{
-  std::error_code failure;
-  const auto* reader = FindReader(GetFileReaders(), fileName);
-  if (!reader || !std::filesystem::is_regular_file(ToPath(fileName), failure))
-  {
-    throw Failure(reader ? "there is no file " + fileName + "."
-                         : "it names " + fileName + ", which is not a scene.");
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    const double range[2] = { this->Times.front(), this->Times.back() };
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->Times.data(),
+      static_cast<int>(this->Times.size()));
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
   }
-  RequireReadable(fileName);
-  return (*reader)(fileName);
-}
 
-/// The readers of files and of collections.
-const Readers& GetReaders()
-{
-  static const Readers readers = []
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
   {
-    Readers all = GetFileReaders();
-    all[".pvd"] = [](const std::string& fileName) { return ReadCollection(fileName, ReadEntry); };
-    return all;
-  }();
-  return readers;
-}
-
-/// Removes cells that would be read out of bounds, with warnings.
-Part MakePartSound(vtkDataObject* part, const std::string& input)
-{
-  std::set<std::string> removed;
-  const auto makeSound = [&removed](vtkPolyData* polyData)
-  {
-    const ValidPolyData sound = MakeSound(polyData);
-    sound.AddRemoved(removed);
-    return sound.Data;
-  };
-  Part result = part;
-  if (auto* polyData = vtkPolyData::SafeDownCast(part))
-  {
-    result = makeSound(polyData);
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(part))
-  {
-    vtkSmartPointer<vtkDataObjectTreeIterator> leaf;
-    leaf.TakeReference(tree->NewTreeIterator());
-    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    vtkInformation* information = outputVector->GetInformationObject(0);
+    vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(information);
+    const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    const double asked = information->Has(key) ? information->Get(key) : this->Times.front();
+    const double time = this->Times[FindTimeStep(this->Times, asked)];
+    try
     {
-      if (auto* data = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+      unsigned int block = 0;
+      for (const Part& part : this->Read(time))
       {
-        tree->SetDataSetFrom(leaf, makeSound(data));
+        output->SetBlock(block++, part);
       }
     }
-  }
-  for (const std::string& what : removed)
-  {
-    AddWarning("Invalid parts of " + input + " were left out: " + what + ".");
-  }
-  return result;
-}
-
-/// Calls `visit` for each polydata of a data object.
-void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)>& visit)
-{
-  auto* tree = vtkDataObjectTree::SafeDownCast(part);
-  if (!tree)
-  {
-    if (auto* polyData = vtkPolyData::SafeDownCast(part))
+    catch (const std::exception& failure)
     {
-      visit(polyData);
+      vtkErrorMacro(<< failure.what());
+      return 0;
     }
-    return;
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
   }
-  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
-  iterator.TakeReference(tree->NewTreeIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    if (auto* polyData = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-    {
-      visit(polyData);
-    }
-  }
-}
-
-/// Whether a point has coordinates that are finite as floats, as the tracer needs them.
-bool HasFinitePoint(vtkDataObject* part)
-{
-  bool isFound = false;
-  ForEachPolyData(part,
-    [&isFound](vtkPolyData* polyData)
-    {
-      for (vtkIdType i = 0; !isFound && i < polyData->GetNumberOfPoints(); ++i)
-      {
-        const double* point = polyData->GetPoint(i);
-        isFound = std::all_of(
-          point, point + 3, [](double coordinate) { return std::abs(coordinate) < VTK_FLOAT_MAX; });
-      }
-    });
-  return isFound;
-}
+};
+vtkStandardNewMacro(vtkSceneSeries);
 
 constexpr const char* InputHelp =
   "the scene: .ply .stl .obj .gltf .glb files, data sets of VTK (.vtp .vtm .vtu .vti .vtr .vts "
   ".vtk "
-  ".pvd and parallel ones such as .pvtu), or names that cslf scenes lists";
+  ".pvd, parallel ones such as .pvtu, and series such as .vtp.series), or names that cslf scenes "
+  "lists";
 
 constexpr const char* EnvironmentHelp =
   "environment light instead of --light: white, gradient (white above, dark below), none, or the "
@@ -248,72 +155,6 @@ bool FindTriple(const nlohmann::json& from, const char* key, std::array<double, 
 }
 }
 
-bool IsSceneName(const std::string& input)
-{
-  return vtkCSLFSceneSource::HasScene(input.c_str()) || FindReader(GetReaders(), input);
-}
-
-Part ReadScenePart(const std::string& input)
-{
-  if (vtkCSLFSceneSource::HasScene(input.c_str()))
-  {
-    vtkNew<vtkCSLFSceneSource> source;
-    source->SetSceneName(input.c_str());
-    source->Update();
-    return source->GetOutputDataObject(0);
-  }
-  const std::filesystem::path path = ToPath(input);
-  const auto* reader = FindReader(GetReaders(), input);
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code))
-  {
-    throw Failure("There is no file " + input + ".");
-  }
-  if (!reader)
-  {
-    throw Failure(input + " is not a scene: supported are " +
-      JoinAs(GetReaders(), [](const auto& item) { return item.first; }) +
-      " and the names that cslf scenes lists.");
-  }
-  Part part;
-  try
-  {
-    RequireReadable(input);
-    part = MakePartSound((*reader)(input), input);
-  }
-  catch (const Failure& failure)
-  {
-    const std::string text = failure.what();
-    const std::string prefix = "Cannot read " + input + ": ";
-    throw Failure(text.rfind(prefix, 0) == 0 ? text : prefix + text);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Failure("Cannot read " + input + ": there is not enough memory.");
-  }
-  catch (const std::exception&)
-  {
-    // The standard library's messages about wrong sizes do not help users.
-    throw Failure("Cannot read " + input + ": it is damaged or too large.");
-  }
-  const std::string error = GetFirstError();
-  vtkIdType cells = 0;
-  tool::ForEachPolyData(
-    part, [&](vtkPolyData* polyData) { cells += polyData->GetNumberOfCells(); });
-  if (cells == 0 || !error.empty())
-  {
-    // Some readers only warn of files that they cannot read.
-    const std::vector<std::string> warnings = GetWarnings();
-    const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
-    throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
-  }
-  if (!HasFinitePoint(part))
-  {
-    throw Failure("Cannot read " + input + ": the coordinates of its points are not finite.");
-  }
-  return part;
-}
-
 void Scene::GetBounds(double bounds[6]) const
 {
   if (!FindSceneBounds({ this->Parts.begin(), this->Parts.end() }, bounds))
@@ -345,6 +186,15 @@ void SceneOptions::AddOptionalTo(CLI::App& command)
 void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 {
   this->Command = &command;
+  if (!command.get_option_no_throw(TimeFlag))
+  {
+    // A field of the command may have added it.
+    command
+      .add_option_function<double>(
+        TimeFlag, [](double) {}, TimeHelp)
+      ->check(Finite())
+      ->type_name("TIME");
+  }
   this->Look.AddTo(command);
   const std::string light = "Light";
   vtkCSLFEnvironment* environment = this->Light;
@@ -433,28 +283,70 @@ bool SceneOptions::HasCornellBox() const
   return std::find(this->Inputs.begin(), this->Inputs.end(), CornellBoxName) != this->Inputs.end();
 }
 
-Scene SceneOptions::Read() const
+std::optional<double> SceneOptions::GetTime() const
 {
-  Scene scene;
-  std::vector<Part> files;
+  const CLI::Option* time = this->Command ? this->Command->get_option_no_throw(TimeFlag) : nullptr;
+  return time && time->count() > 0 ? std::make_optional(time->as<double>()) : std::nullopt;
+}
+
+std::vector<double> SceneOptions::FindTimes() const
+{
+  std::set<double> times;
   for (std::size_t i = 0; i < this->Inputs.size(); ++i)
   {
-    const Part part = ReadScenePart(this->Inputs[i]);
-    if (this->Inputs[i] != CornellBoxName)
+    const std::string& input = this->Inputs[i];
+    std::error_code failure;
+    if (!this->IsFile(i) || !std::filesystem::is_regular_file(ToPath(input), failure))
     {
-      this->SetMaterial(part);
+      continue;
     }
-    (this->IsFile(i) ? files : scene.Parts).push_back(part);
+    const std::vector<double> own = FindSceneTimes(input);
+    times.insert(own.begin(), own.end());
   }
-  scene.Parts.push_back(this->Look.Apply(files));
+  return { times.begin(), times.end() };
+}
+
+/// Reads the inputs that are files, or the others, and gives them their materials.
+std::vector<Part> SceneOptions::ReadParts(std::optional<double> time, bool areFiles) const
+{
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < this->Inputs.size(); ++i)
+  {
+    if (this->IsFile(i) == areFiles)
+    {
+      parts.push_back(ReadScenePart(this->Inputs[i], time));
+      if (this->Inputs[i] != CornellBoxName)
+      {
+        this->SetMaterial(parts.back());
+      }
+    }
+  }
+  return parts;
+}
+
+Scene SceneOptions::Read() const
+{
+  return this->ReadAt(this->GetTime());
+}
+
+Scene SceneOptions::ReadAt(std::optional<double> time) const
+{
+  Scene scene;
+  scene.Parts = this->ReadParts(time, false);
+  scene.Parts.push_back(this->Look.Apply(this->ReadParts(time, true)));
   scene.Legend = this->Look.GetLegend();
+  this->RequireEnvironment();
+  return scene;
+}
+
+void SceneOptions::RequireEnvironment() const
+{
   std::error_code failure;
   if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment &&
     !std::filesystem::is_regular_file(ToPath(this->Light->GetFileName()), failure))
   {
     throw Failure(std::string("There is no environment image ") + this->Light->GetFileName() + ".");
   }
-  return scene;
 }
 
 /// Whether an input is a file, not the name of a scene.
@@ -525,6 +417,30 @@ void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
   {
     tracer->AddInputDataObject(0, part);
   }
+  this->ApplyLight(tracer);
+}
+
+vtkCSLFSceneLook* SceneOptions::ApplySeries(
+  const std::vector<double>& times, vtkCSLFPathTracer* tracer) const
+{
+  this->RequireEnvironment();
+  vtkNew<vtkSceneSeries> series;
+  series->Times = times;
+  series->Read = [this](double time) { return this->ReadParts(time, true); };
+  vtkCSLFSceneLook* look = this->Look.SetUpFilter();
+  look->SetInputConnection(series->GetOutputPort());
+  // The times are those of the first input.
+  tracer->SetInputConnection(0, look->GetOutputPort());
+  for (const Part& part : this->ReadParts(std::nullopt, false))
+  {
+    tracer->AddInputDataObject(0, part);
+  }
+  this->ApplyLight(tracer);
+  return look;
+}
+
+void SceneOptions::ApplyLight(vtkCSLFPathTracer* tracer) const
+{
   const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
     [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
   if (this->Look.IsLightGiven() || (!this->IsLightChosen && named == this->Inputs.end()))

@@ -10,6 +10,7 @@
 #include "Options/cslfOptionTable.h"
 #include "cslfJSON.h"
 #include "cslfSceneLook.h"
+#include "cslfSceneParts.h"
 #include "vtkCSLFEnvironment.h"
 
 #include <vtkSmartPointer.h>
@@ -45,14 +46,6 @@ public:
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
-/// Whether a scene has that name, or a file's extension is that of scenes. Light fields may have
-/// the same.
-bool IsSceneName(const std::string& input);
-
-/// Reads one file of a scene, or makes the scene of vtkCSLFSceneSource that has this name. Throws a
-/// Failure if nothing is visible.
-vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
-
 /// A scene's files and the material and light options of the command line. Copies share the light.
 class SceneOptions
 {
@@ -69,11 +62,25 @@ public:
   /// Takes defaults for the command line from a field's sampling parameters.
   void TakeDefaults(const nlohmann::json& sampling);
 
-  /// Reads the inputs and gives them their materials. Throws a Failure.
+  /// Reads the inputs, at the time that the command line chooses, and gives them their materials.
+  /// Throws a Failure.
   Scene Read() const;
 
   /// Gives a path tracer the scene and its light.
   void Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const;
+
+  /// The times of the inputs, ascending: those of all inputs that have any. Throws a Failure.
+  std::vector<double> FindTimes() const;
+
+  /// The time that the command line chooses.
+  std::optional<double> GetTime() const;
+
+  /// Reads the inputs at a time.
+  Scene ReadAt(std::optional<double> time) const;
+
+  /// Gives a path tracer the scene at these times, which its pipeline can request, and its light.
+  /// Returns what colours it. The options must outlive the tracer.
+  vtkCSLFSceneLook* ApplySeries(const std::vector<double>& times, vtkCSLFPathTracer* tracer) const;
 
   /// Throws a Failure if writing a file would replace one of the inputs or the environment image.
   void RequireOther(const std::string& output) const;
@@ -91,6 +98,10 @@ public:
 private:
   void AddLightAndMaterialTo(CLI::App& command);
   void ChooseLight(const std::string& name);
+  std::vector<vtkSmartPointer<vtkDataObject>> ReadParts(
+    std::optional<double> time, bool areFiles) const;
+  void ApplyLight(vtkCSLFPathTracer* tracer) const;
+  void RequireEnvironment() const;
   void SetMaterial(vtkDataObject* part) const;
 
   void TakeLight(const nlohmann::json& environment);

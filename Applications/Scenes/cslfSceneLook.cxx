@@ -33,15 +33,7 @@ void SceneLook::AddTo(CLI::App& command)
 vtkSmartPointer<vtkDataObject> SceneLook::Apply(
   const std::vector<vtkSmartPointer<vtkDataObject>>& files) const
 {
-  this->Colors.CheckRange();
-  this->Filter->SetColorArrayName(this->Colors.Array.c_str());
-  this->Filter->SetColorMap(this->Colors.Map);
-  if (!this->Colors.Range.empty())
-  {
-    this->Filter->AutomaticColorRangeOff();
-    this->Filter->SetColorRange(this->Colors.Range.data());
-  }
-  this->Filter->RemoveAllInputs();
+  this->SetUpFilter();
   for (vtkDataObject* file : files)
   {
     this->Filter->AddInputDataObject(file);
@@ -51,6 +43,20 @@ vtkSmartPointer<vtkDataObject> SceneLook::Apply(
   auto scene = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   scene->ShallowCopy(this->Filter->GetOutput());
   return scene;
+}
+
+vtkCSLFSceneLook* SceneLook::SetUpFilter() const
+{
+  this->Colors.CheckRange();
+  this->Filter->SetColorArrayName(this->Colors.Array.c_str());
+  this->Filter->SetColorMap(this->Colors.Map);
+  if (!this->Colors.Range.empty())
+  {
+    this->Filter->AutomaticColorRangeOff();
+    this->Filter->SetColorRange(this->Colors.Range.data());
+  }
+  this->Filter->RemoveAllInputs();
+  return this->Filter;
 }
 
 nlohmann::json SceneLook::GetLegend() const

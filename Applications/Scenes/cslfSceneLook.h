@@ -53,6 +53,10 @@ public:
   vtkSmartPointer<vtkDataObject> Apply(
     const std::vector<vtkSmartPointer<vtkDataObject>>& files) const;
 
+  /// The filter for a scene that changes over time, with the options' colours. Its input is to be
+  /// connected. Throws a Failure.
+  vtkCSLFSceneLook* SetUpFilter() const;
+
   /// What the colours of the last scene mean: a list of "array", "component", "range" and "map".
   nlohmann::json GetLegend() const;
 

@@ -6,8 +6,8 @@
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
 
-#include "vtkCSLFDecoder.h"
 #include "vtkCSLFMapper.h"
+#include "vtkCSLFSeriesReader.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
@@ -109,11 +109,14 @@ namespace
 {
 constexpr double ExposureStep = 1.25;
 
+/// The least time between two steps of a series that plays.
+constexpr std::chrono::milliseconds StepInterval{ 100 };
+
 ///@{
 /// Of the viewer's texts, in pixels; and the most lines of figures.
 constexpr int FontSize = 15;
 constexpr int LineHeight = 18;
-constexpr int StateLines = 4;
+constexpr int StateLines = 5;
 ///@}
 
 void Place(vtkTextActor* text, double x, double y)
@@ -165,7 +168,7 @@ std::string Viewer::GetHelp()
   return "1 to " + std::to_string(GetLookups().size()) + lookups +
     "\ns: all lookups side by side, or one\nt: path-traced scene (with --scene)\no: outline of "
     "the cube   a: axes   v: viewpoints\nb: scalar bar (of fields with scalars)\n[ and ]: exposure "
-    "  m: tone mapping\ni: figures   p: "
+    "  m: tone mapping\nspace: play   , and .: time steps   <: first time\ni: figures   p: "
     "write a picture   h: this help\nleft button: rotate, middle: pan, right or wheel: zoom\nr: "
     "reset the camera   q: quit";
 }
@@ -173,12 +176,13 @@ std::string Viewer::GetHelp()
 Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   std::unique_ptr<RefiningTruth> truth)
   : Field(file.Field)
-  , Decoder(vtkCSLFDecoder::SafeDownCast(file.Reader))
+  , Decoder(vtkCSLFSeriesReader::SafeDownCast(file.Reader))
   , Camera(camera)
   , Outline(MakeOutline(file.Field.Box))
   , Axes(MakeAxes(file.Field.Box))
   , Markers(MakeViewpointMarkers(file.Field))
   , Truth(std::move(truth))
+  , Step(this->Decoder ? this->Decoder->GetOpenStep() : 0)
 {
   this->Mapper->SetInputConnection(file.Reader->GetOutputPort());
   if (file.GeometryReader)
@@ -392,6 +396,17 @@ bool Viewer::Press(char key)
       tone->SetCurve((tone->GetCurve() + 1) % (vtkCSLFToneMapping::ACES + 1));
       this->ShowToneMapping();
       return true;
+    case ' ':
+      this->IsPlaying = !this->IsPlaying && this->HasTimes();
+      return true;
+    case ',':
+    case '.':
+      this->IsPlaying = false;
+      this->GoBySteps(key == '.' ? 1 : -1);
+      return true;
+    case '<':
+      this->GoBySteps(-this->Step);
+      return true;
     case 'i':
       this->ShowsState = !this->ShowsState;
       return true;
@@ -408,6 +423,41 @@ bool Viewer::Press(char key)
       }
       this->SetLookup(GetLookups()[key - '1'].Lookup);
       return true;
+  }
+}
+
+/// Whether other times can be shown. A path-traced scene has one time.
+bool Viewer::HasTimes() const
+{
+  return this->Decoder && !this->Truth && this->Decoder->GetNumberOfTimeSteps() > 1;
+}
+
+std::optional<double> Viewer::GetTime() const
+{
+  return this->Decoder && this->Decoder->GetNumberOfTimeSteps() > 0
+    ? std::make_optional(this->Decoder->GetTimeStep(this->Step))
+    : std::nullopt;
+}
+
+/// After the last step comes the first.
+void Viewer::GoBySteps(int steps)
+{
+  if (this->HasTimes())
+  {
+    const int count = this->Decoder->GetNumberOfTimeSteps();
+    this->Step = (this->Step + steps + count) % count;
+    this->Decoder->SetTime(this->Decoder->GetTimeStep(this->Step));
+  }
+}
+
+void Viewer::Play()
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (this->IsPlaying && now >= this->NextStep)
+  {
+    this->NextStep = now + StepInterval;
+    this->GoBySteps(1);
+    this->Render();
   }
 }
 

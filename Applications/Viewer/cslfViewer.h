@@ -23,11 +23,12 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 class vtkActor;
-class vtkCSLFDecoder;
+class vtkCSLFSeriesReader;
 class vtkCSLFMapper;
 class vtkCSLFToneMapping;
 class vtkCamera;
@@ -82,6 +83,12 @@ public:
 
   void Render();
 
+  /// If the field plays, draws its next time when that is due. Throws a Failure.
+  void Play();
+
+  /// The time of a series that is shown. Empty for other fields.
+  std::optional<double> GetTime() const;
+
   /// If the reference is shown, refines it by a pass, up to this many samples per pixel, and
   /// measures the shown lookups whenever its samples have doubled. Returns whether there is
   /// something new to draw. Throws a Failure.
@@ -112,6 +119,8 @@ private:
   void AddOverlay();
   void Arrange();
   void ShowState();
+  bool HasTimes() const;
+  void GoBySteps(int steps);
   void FitScalarBar();
   void ShowTruth();
   void Measure();
@@ -122,7 +131,7 @@ private:
   static void CountFrame(vtkObject*, unsigned long, void* client, void*);
 
   Description Field;
-  vtkSmartPointer<vtkCSLFDecoder> Decoder; ///< null if the field is not a video
+  vtkSmartPointer<vtkCSLFSeriesReader> Decoder; ///< null if the field is not a video
   vtkSmartPointer<vtkCamera> Camera;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Backdrop; ///< behind the panes, which may leave a cell empty
@@ -144,6 +153,9 @@ private:
   bool ShowsTruth = false;
   bool ShowsState = true;
   bool ShowsHelp = false;
+  bool IsPlaying = false;
+  int Step = 0;                                   ///< of a series
+  std::chrono::steady_clock::time_point NextStep; ///< when it is due
   std::chrono::steady_clock::time_point FrameStart;
   std::deque<double> FrameSeconds;
 };

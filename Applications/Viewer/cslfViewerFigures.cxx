@@ -7,9 +7,9 @@
 #include "Measurements/cslfNovelViews.h"
 #include "cslfViewer.h"
 
-#include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageQuality.h"
 #include "vtkCSLFMapper.h"
+#include "vtkCSLFSeriesReader.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
@@ -74,6 +74,11 @@ void Viewer::ShowState()
     this->Decoder->GetUnwrittenViewpoints(unwritten);
     text += "\n" + std::to_string(grid.GetSlices() - unwritten->GetNumberOfValues()) + " of " +
       std::to_string(grid.GetSlices()) + " viewpoints so far";
+  }
+  if (const auto time = this->GetTime())
+  {
+    text += "\ntime " + Format(*time, 4) + ", step " + std::to_string(this->Step) + " of 0 to " +
+      std::to_string(this->Decoder->GetNumberOfTimeSteps() - 1);
   }
   if (this->GetTextureBytes() > 0)
   {

@@ -64,7 +64,8 @@ bool FieldStream::Fail(const std::string& error)
 bool FieldStream::Open()
 {
   auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->Producer->GetExecutive());
-  return executive && executive->UpdateInformation() && this->OpenUpdated();
+  return executive && UpdateInformation(this->Producer->GetOutputPort(this->Port)) &&
+    this->OpenUpdated();
 }
 
 bool FieldStream::OpenUpdated()

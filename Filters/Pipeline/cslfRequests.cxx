@@ -230,6 +230,15 @@ bool IsWholeThere(vtkAlgorithmOutput* connection)
     image->GetNumberOfPoints() > 0 && image->GetUpdateTime() > executive->GetPipelineMTime();
 }
 
+bool UpdateInformation(vtkAlgorithmOutput* connection)
+{
+  vtkExecutive* executive = connection->GetProducer()->GetExecutive();
+  auto* timed = Pipeline::SafeDownCast(executive);
+  const int port = connection->GetIndex();
+  return executive->UpdateInformation() != 0 &&
+    (!timed || (timed->PropagateTime(port) && timed->UpdateTimeDependentInformation(port)));
+}
+
 bool UpdateWhole(vtkAlgorithmOutput* connection)
 {
   vtkAlgorithm* producer = connection->GetProducer();
@@ -238,7 +247,7 @@ bool UpdateWhole(vtkAlgorithmOutput* connection)
   {
     return producer->GetExecutive()->Update(connection->GetIndex()) != 0;
   }
-  if (!executive->UpdateInformation())
+  if (!UpdateInformation(connection))
   {
     return false;
   }

@@ -14,6 +14,7 @@
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkInformationIntegerVectorKey.h>
 #include <vtkInformationVector.h>
 #include <vtkSmartPointer.h>
@@ -56,6 +57,19 @@ inline void ChoosePorts(vtkInformation* request, vtkInformationVector* outputs, 
   else if (!isWhole)
   {
     geometry->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+}
+
+/// Handles REQUEST_UPDATE_TIME: the field and its geometry are those of one time, which is
+/// requested of either.
+inline void ShareTime(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  vtkInformation* asked =
+    outputs->GetInformationObject(std::max(request->Get(vtkExecutive::FROM_OUTPUT_PORT()), 0));
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects() && asked->Has(key); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(key, asked->Get(key));
   }
 }
 
@@ -123,7 +137,10 @@ const TracedScene* FindScene(vtkInformation* output);
 /// pipeline.
 bool IsWholeThere(vtkAlgorithmOutput* connection);
 
-/// Updates a connection to its whole output, whatever was requested before.
+/// Updates the information of a connection at the time that is requested of it.
+bool UpdateInformation(vtkAlgorithmOutput* connection);
+
+/// Updates a connection to its whole output, whatever was requested before, at the same time.
 VTKCSLF_EXPORT bool UpdateWhole(vtkAlgorithmOutput* connection);
 }
 

@@ -266,6 +266,13 @@ void SurfaceColoring::MapArrays(
     range[0] = std::min(range[0], own[0]);
     range[1] = std::max(range[1], own[1]);
   }
+  if (this->GrowingRanges && range[0] <= range[1])
+  {
+    auto& grown =
+      this->GrowingRanges->try_emplace(name, std::array{ range[0], range[1] }).first->second;
+    range[0] = grown[0] = std::min(grown[0], range[0]);
+    range[1] = grown[1] = std::max(grown[1], range[1]);
+  }
   const bool varies = range[0] < range[1];
   if (this->Range)
   {

@@ -10,6 +10,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,10 @@ public:
   std::string ComponentName;
   int ColorMap = 0;              ///< a value of the option
   const double* Range = nullptr; ///< null if it is automatic
+
+  /// The automatic ranges by the names of arrays, which those of these surfaces widen. Null if they
+  /// have their own.
+  std::map<std::string, std::array<double, 2>>* GrowingRanges = nullptr;
 
   /// Adds what is shown to a legend. Throws a LookError.
   void Apply(vtkTable* legend);

@@ -22,6 +22,7 @@ QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
 COLORS = ("lit", "exact")  # likewise
 INTERREFLECTIONS = ("colored", "neutral")  # likewise
 ALL_ARRAYS = "all"  # instead of names
+ALL_STEPS = "all"  # instead of a range
 USER_ERROR = 40000  # of vtkErrorCode, which VTK does not wrap
 
 
@@ -65,6 +66,8 @@ class LightField:
         is one, and otherwise a video (``.mp4`` or ``.mkv``) or image data (``.vti``)."""
         name = get_file_name(file_name)
         kind = pathlib.PurePath(name).suffix.lower()
+        if self.file_name and self.file_name.lower().endswith(".series"):
+            raise ValueError("The field is a series: copy its files and their index instead.")
         if self.file_name:
             if kind != pathlib.PurePath(self.file_name).suffix.lower():
                 raise ValueError(f"The field is in {self.file_name}: its copy must have the same "
@@ -145,8 +148,9 @@ def select_arrays(sampler, arrays):
         selection.EnableArray(name)
 
 
-def write(sampler, name, crf, progress):
-    """Writes what a sampler makes to a video."""
+def write(sampler, name, crf, progress, look=None, steps=None):
+    """Writes what a sampler makes to a video, or these time steps of it to a series of videos, with
+    the ranges of a look. Returns the name of the file or of the index."""
     if not hasattr(vtkCSLF, "vtkCSLFEncoder"):
         raise Error("This build of CSLF has no video encoder: bake without a file name, and save "
                     "the field as .vti.")
@@ -158,18 +162,35 @@ def write(sampler, name, crf, progress):
     encoder.SetInputConnection(1, sampler.GetOutputPort(1))
     encoder.SetFileName(name)
     set_parameters(encoder.GetRateControl(), {"CRF": crf})
-    with Messages(encoder) as messages:
+    writer = encoder if steps is None else make_series_writer(encoder, sampler, look, steps)
+    with Messages(encoder, *([] if writer is encoder else [writer])) as messages:
         with Progress(encoder, progress, "Writing"):
-            is_written = encoder.Write()
+            is_written = writer.Write()
         # Settings that cannot be coded.
         kind = ValueError if encoder.GetErrorCode() == USER_ERROR else Error
         messages.require(is_written, f"{name} was not written.", kind)
+    return name if writer is encoder else writer.GetIndexName()
+
+
+def make_series_writer(encoder, sampler, look, steps):
+    """A writer of these time steps: a range of their numbers, or the word for all."""
+    writer = vtkCSLF.vtkCSLFSeriesWriter()
+    writer.SetEncoder(encoder)
+    writer.SetSampler(sampler)
+    writer.SetLook(look)
+    if steps != ALL_STEPS:
+        check_kind(steps, range, "time_steps", f"a range or {ALL_STEPS!r}")
+        if len(steps) == 0 or steps[0] < 0 or steps.step < 1:
+            raise ValueError(f"time_steps must be a range of ascending numbers; it is {steps!r}.")
+        writer.SetTimeStepRange(steps[0], steps[-1])
+        writer.SetTimeStepInterval(steps.step)
+    return writer
 
 
 def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
          samples=None, noise_target=None, crf=None, sampler=None, progress=None, color_by=None,
          color_map=None, color_range=None, light=None, up=None, arrays=None,
-         interreflection=None):
+         interreflection=None, time_steps=None):
     """Bakes a scene as a light field and returns it as a ``LightField``.
 
     ``scene`` is a ``vtkRenderer``, a ``vtkRenderWindow``, a plotter of PyVista, a data set of VTK,
@@ -206,6 +227,12 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
     map light each other in their colours, or as a grey of their mean albedo would, which fits all
     maps that are chosen later.
 
+    ``time_steps`` bakes a scene that changes over time, a ``.pvd`` or ``.vtp.series`` file or an
+    algorithm that announces its times, for each of these steps: ``"all"``, or a range of their
+    numbers such as ``range(0, 20, 2)``. With ``file_name`` ``"wave.mp4"``, they are written to
+    ``wave_0000.mp4`` and so on, and their times to the index ``wave.mp4.series``, which is the file
+    of the result; see ``vtkCSLFSeriesWriter``. By default, one time is baked: of files the first.
+
     ``progress`` is whether to draw a progress bar, by default in terminals and notebooks, or a
     function that gets the phase and the share that is done, from 0 to 1. Ctrl-C raises
     ``KeyboardInterrupt`` and leaves what an interrupted run leaves: the same call resumes.
@@ -235,16 +262,19 @@ def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, r
                              "NoiseTarget": noise_target, "Interreflection": interreflection})
     if file_name is None and crf is not None:
         raise ValueError("crf is for videos, and there is no file name.")
+    if file_name is None and time_steps is not None:
+        raise ValueError("time_steps are written to videos, and there is no file name.")
     given = [name for name, value in look_parameters.items() if value is not None]
-    if connect(scene, sampler, look):
+    has_look = connect(scene, sampler, look, time_steps is not None)
+    if has_look:
         if sets_light:
             look.SetUpEnvironment(sampler.GetEnvironment())
     elif given:
         raise ValueError(f"{given[0]} is for data, algorithms and files: windows and scenes by name "
                          "have their own colours and light.")
     if file_name is not None:
-        name = get_file_name(file_name)
-        write(sampler, name, crf, progress)
+        name = write(sampler, get_file_name(file_name), crf, progress, look if has_look else None,
+                     time_steps)
         return LightField(name, sampler)
     with Messages(sampler) as messages:
         with Progress(sampler, progress, "Sampling"):

@@ -6,15 +6,16 @@ import os
 import pathlib
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from vtkmodules.vtkCommonExecutionModel import (vtkAlgorithm, vtkAlgorithmOutput,
+                                                vtkStreamingDemandDrivenPipeline)
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCSLF
-from .arguments import find_name, get_file_name
+from .arguments import check_kind, find_name, get_file_name
 from .colors import color_scalars
 from .messages import Messages
-from .scenes import READERS, is_scene_name, missing_file
+from .scenes import READERS, is_scene_name, is_series, missing_file
 
 LOOKUPS = tuple(vtkCSLF.vtkCSLFMapper.GetLookupName(lookup).capitalize()
                 for lookup in range(vtkCSLF.vtkCSLFMapper.NUMBER_OF_LOOKUPS))
@@ -31,16 +32,17 @@ def has_geometry(field):
 
 
 def open_field(name):
-    """The reader of a light field: a video, image data (``.vti``) or a folder of images."""
+    """The reader of a light field: a video, a series of videos, image data (``.vti``) or a folder of
+    images."""
     is_image = name.lower().endswith(".vti")
     if not os.path.exists(name):
         raise ValueError(BAKE_FIRST.format(name)) if is_scene_name(name) else missing_file(name)
-    if pathlib.PurePath(name).suffix.lower() in READERS and not is_image:
+    if (pathlib.PurePath(name).suffix.lower() in READERS and not is_image) or is_series(name):
         raise ValueError(BAKE_FIRST.format(name))
     if os.path.isdir(name) and hasattr(vtkCSLF, "vtkCSLFImageReader"):
         reader = vtkCSLF.vtkCSLFImageReader()
     else:
-        reader = vtkXMLImageDataReader() if is_image else vtkCSLF.vtkCSLFDecoder()
+        reader = vtkXMLImageDataReader() if is_image else vtkCSLF.vtkCSLFSeriesReader()
     reader.SetFileName(name)
     with Messages(reader) as messages:
         reader.UpdateInformation()
@@ -70,11 +72,21 @@ def connect_field(field, mapper):
                         f"port or image data, not a {type(field).__name__}: bake scenes first.")
 
 
-def make_actor(field, lookup="Geometry", *, scalars=None, cmap=None, clim=None):
+def request_time(mapper, time):
+    """Has a mapper show its field at a time."""
+    check_kind(time, (int, float), "time", "a number")
+    information = mapper.GetInputAlgorithm().GetOutputInformation(0)
+    mapper.GetInputAlgorithm().UpdateInformation()
+    if not information.Has(vtkStreamingDemandDrivenPipeline.TIME_STEPS()):
+        raise ValueError("The field has no times.")
+    information.Set(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP(), float(time))
+
+
+def make_actor(field, lookup="Geometry", *, scalars=None, cmap=None, clim=None, time=None):
     """Returns a ``vtkActor`` that draws a light field.
 
-    ``field`` is the name of a video, of image data (``.vti``) or of a folder of images, a
-    ``LightField``, an algorithm that makes a field, such as ``vtkCSLFSampler``, or its output port,
+    ``field`` is the name of a video, of a series of videos (``.mp4.series``), of image data
+    (``.vti``) or of a folder of images, a ``LightField``, an algorithm that makes a field, such as ``vtkCSLFSampler``, or its output port,
     or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal``, ``Depth`` or
     ``Geometry``, which is ``Depth`` for fields without geometry.
 
@@ -85,6 +97,10 @@ def make_actor(field, lookup="Geometry", *, scalars=None, cmap=None, clim=None):
     ``vtkScalarsToColors``. ``clim`` is the pair of values at its ends. What is None remains as it
     was sampled.
 
+    ``time`` is for fields of several times: the last one that is not later is shown, by default the
+    first. Another one is requested of the reader, ``actor.GetMapper().GetInputAlgorithm()``, by its
+    ``SetTime``.
+
     Raises ``FileNotFoundError`` if there is no such file, ``TypeError`` if an argument is of
     another kind, and ``ValueError`` if ``field`` is not a light field, a name is unknown, or the
     field has no scalars to colour.
@@ -93,6 +109,8 @@ def make_actor(field, lookup="Geometry", *, scalars=None, cmap=None, clim=None):
     mapper = vtkCSLF.vtkCSLFMapper()
     connect_field(field, mapper)
     mapper.SetLookup(lookup)
+    if time is not None:
+        request_time(mapper, time)
     actor = vtkActor()
     actor.SetMapper(mapper)
     with Messages(mapper) as messages:

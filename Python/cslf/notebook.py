@@ -99,7 +99,7 @@ def find_view_up(view, up):
 
 
 def make_window(field, size, position, focal_point, view_up, background, lookup, scalars, cmap,
-                clim, show_scalar_bar=False):
+                clim, show_scalar_bar=False, time=None):
     """A window with a field, and the field's actor. The arguments are those of ``show``."""
     size = get_size(size)
     background = get_color(background, "background")
@@ -107,7 +107,7 @@ def make_window(field, size, position, focal_point, view_up, background, lookup,
     position = None if position is None else get_vector(position, "position")
     focal_point = None if focal_point is None else get_vector(focal_point, "focal_point")
     check_kind(show_scalar_bar, bool, "show_scalar_bar", "True or False")
-    actor = make_actor(field, lookup, scalars=scalars, cmap=cmap, clim=clim)
+    actor = make_actor(field, lookup, scalars=scalars, cmap=cmap, clim=clim, time=time)
     bounds = actor.GetBounds()
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
     renderer = vtkRenderer()
@@ -142,7 +142,7 @@ def make_window(field, size, position, focal_point, view_up, background, lookup,
 
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
          background="#1a1a1f", lookup="Geometry", scalars=None, cmap=None, clim=None,
-         show_scalar_bar=False):
+         show_scalar_bar=False, time=None):
     """Draws a view of a light field and returns it as a Picture.
 
     ``field`` is as in ``make_actor``: a name, a ``LightField``, an algorithm or image data.
@@ -151,7 +151,7 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     picture, and ``focal_point`` the point that it looks at, by default the centre of what is drawn.
     ``background`` is the name of a colour in HTML,
     such as ``white``, or red, green and blue in [0,1]; the default is that of the tool ``cslf``.
-    ``lookup``, ``scalars``, ``cmap`` and ``clim``, and what is raised if there is no such field, are
+    ``lookup``, ``scalars``, ``cmap``, ``clim`` and ``time``, and what is raised if there is no such field, are
     as in ``make_actor``. ``show_scalar_bar`` is whether to draw a bar with the colours and values
     of the scalars.
 
@@ -159,4 +159,4 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     ``RuntimeError`` if nothing can be drawn.
     """
     return capture(make_window(field, size, position, focal_point, view_up, background, lookup,
-                               scalars, cmap, clim, show_scalar_bar)[0])
+                               scalars, cmap, clim, show_scalar_bar, time)[0])

@@ -3,18 +3,22 @@
 """What can be baked: windows and their renderers, data, algorithms and files."""
 
 import errno
+import json
+import math
 import os
 import pathlib
 from xml.etree import ElementTree
 
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet,
                                            vtkMultiBlockDataSet)
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from vtkmodules.vtkCommonExecutionModel import (vtkAlgorithm, vtkAlgorithmOutput,
+                                                vtkStreamingDemandDrivenPipeline)
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 from . import vtkCSLF
 from .messages import Error, Messages, raise_error
@@ -61,38 +65,89 @@ def find_renderer(scene):
     return None
 
 
-def read_collection(name):
-    """The files of a collection's first time step, as blocks."""
-    sets = list(ElementTree.parse(name).iter("DataSet"))
-    first = min((float(entry.get("timestep", 0)) for entry in sets), default=0.0)
+def is_series(name):
+    """Whether the name is that of an index of files of scenes, such as ``wave.vtp.series``."""
+    path = pathlib.PurePath(name)
+    return path.suffix.lower() == ".series" and pathlib.PurePath(path.stem).suffix.lower() in READERS
+
+
+def find_steps(name):
+    """The files at each time of a collection or a series: pairs of the time and their names, in the
+    order of the times. Empty for other files."""
+    steps = {}
+    try:
+        if pathlib.PurePath(name).suffix.lower() == ".pvd":
+            for entry in ElementTree.parse(name).iter("DataSet"):
+                steps.setdefault(float(entry.get("timestep", 0)), []).append(entry.get("file", ""))
+        elif is_series(name):
+            with open(name, encoding="utf-8") as file:
+                for number, entry in enumerate(json.load(file)["files"]):
+                    steps.setdefault(float(entry.get("time", number)), []).append(entry["name"])
+    except (ElementTree.ParseError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise Error(f"Cannot read {name}: it is not an index of files.") from error
+    folder = os.path.dirname(name)
+    return [(time, [os.path.join(folder, file) for file in steps[time]]) for time in sorted(steps)]
+
+
+def read_step(name, steps, time):
+    """The files of the last of these steps that is not later than a time, or of the first one, as
+    blocks."""
+    _, files = next((step for step in reversed(steps) if step[0] <= time), steps[0])
     blocks = vtkMultiBlockDataSet()
-    for entry in sets:
-        if float(entry.get("timestep", 0)) == first:
-            file = entry.get("file", "")
-            if file.lower().endswith(".pvd"):
-                raise ValueError(f"its part {file} is a collection, too")
-            part = read(os.path.join(os.path.dirname(name), file))
-            blocks.SetBlock(blocks.GetNumberOfBlocks(), part)
+    for file in files:
+        if pathlib.PurePath(file).suffix.lower() in (".pvd", ".series"):
+            raise Error(f"Cannot read {name}: its part {file} is a collection, too.")
+        blocks.SetBlock(blocks.GetNumberOfBlocks(), read(file))
     return blocks
 
 
+class StepSource(VTKPythonAlgorithmBase):
+    """The files of a collection or a series, at their times."""
+
+    def __init__(self, name):
+        super().__init__(nInputPorts=0, outputType="vtkMultiBlockDataSet")
+        self.name = name
+        self.steps = find_steps(name)
+        if not self.steps:
+            raise Error(f"Cannot read {name}: it names no files.")
+        self.problem = None
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        times = [step[0] for step in self.steps]
+        pipeline = vtkStreamingDemandDrivenPipeline
+        information.Set(pipeline.TIME_STEPS(), times, len(times))
+        information.Set(pipeline.TIME_RANGE(), (times[0], times[-1]), 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        key = vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()
+        time = information.Get(key) if information.Has(key) else self.steps[0][0]
+        output = vtkMultiBlockDataSet.GetData(outputs, 0)
+        try:
+            output.ShallowCopy(read_step(self.name, self.steps, time))
+        except (Error, ValueError, OSError) as problem:
+            self.problem = problem
+            return 0
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1
+
+
 def read(name):
-    """Reads a scene's file. Raises FileNotFoundError, ValueError for other kinds of files, and
-    cslf.Error if it cannot be read."""
+    """Reads a scene's file, of several times the first. Raises FileNotFoundError, ValueError for
+    other kinds of files, and cslf.Error if it cannot be read."""
     if not os.path.exists(name):
         raise missing_file(name)
     kind = pathlib.PurePath(name).suffix.lower()
-    if kind == ".pvd":
-        try:
-            return read_collection(name)
-        except (ElementTree.ParseError, ValueError) as error:
-            raise Error(f"Cannot read {name}: {error}.") from error
+    if kind == ".pvd" or is_series(name):
+        return read_step(name, StepSource(name).steps, -math.inf)
     reader = READERS.get(kind)
     if kind in VIDEOS:
         raise ValueError(f"{name} is a light field, not a scene.")
     if reader is None:
         raise ValueError(f"{name} is not a scene: supported are "
-                         f"{', '.join(sorted([*READERS, '.pvd']))}.")
+                         f"{', '.join(sorted([*READERS, '.pvd']))}, and series such as .vtp.series.")
     reader = reader()
     reader.SetFileName(name)
     # Legacy files may have several arrays of a kind, of which their reader takes one.
@@ -114,9 +169,9 @@ def check_data(data):
         raise TypeError(f"A {data.GetClassName()} is not a scene.")
 
 
-def connect(scene, sampler, look):
+def connect(scene, sampler, look, has_steps=False):
     """Makes a scene the input of a sampler, through a ``vtkCSLFSceneLook`` if its colours and light
-    are not its own. Returns whether that is so."""
+    are not its own. Returns whether that is so. ``has_steps`` is whether all its times are baked."""
     renderer = find_renderer(scene)
     if renderer is not None:
         sampler.SetRenderer(renderer)
@@ -129,13 +184,17 @@ def connect(scene, sampler, look):
             source.SetUpEnvironment(sampler.GetEnvironment())
             sampler.SetInputConnection(source.GetOutputPort())
             return False
-        scene = read(name)
+        is_index = os.path.exists(name) and (name.lower().endswith(".pvd") or is_series(name))
+        scene = StepSource(name) if has_steps and is_index else read(name)
     if isinstance(scene, vtkAlgorithm):
+        look.source = scene  # which its port does not keep
         scene = scene.GetOutputPort()
     if isinstance(scene, vtkAlgorithmOutput):
         producer = scene.GetProducer()
         with Messages(producer) as messages:
             producer.Update(scene.GetIndex())
+            if getattr(producer, "problem", None):
+                raise producer.problem
             messages.require(True, "")
         check_data(producer.GetOutputDataObject(scene.GetIndex()))
         look.SetInputConnection(scene)

@@ -42,6 +42,17 @@ double EncodeSettings::GetCRF(Plane plane) const
   return 0.0;
 }
 
+nlohmann::json DescribeSettings(const EncodeSettings& settings)
+{
+  return { { "cslf", CSLF_VERSION }, { "codec", avcodec_version() },
+    { "ffmpeg", av_version_info() }, { "coding", settings.Codec }, { "preset", settings.Preset },
+    { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
+    { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
+    { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
+    { "target", static_cast<int>(settings.Target.Kind) },
+    { "target_value", settings.Target.Value } };
+}
+
 EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
 {
   EncoderChoice choice;

@@ -10,6 +10,7 @@
 #include "Coding/Codecs/cslfVideoEncoders.h"
 #include "Coding/RateControl/cslfRateControl.h"
 #include "cslfDescription.h"
+#include "cslfJSON.h"
 
 #include <string>
 
@@ -37,6 +38,9 @@ struct EncodeSettings
   /// Whether readers may compute what a geometry tells.
   bool ComputesDepth() const { return this->DepthFromGeometry && !this->Lossless; }
 };
+
+/// The settings of the coded groups, and the versions of the libraries.
+nlohmann::json DescribeSettings(const EncodeSettings& settings);
 
 /// Why a file of that name cannot be written, in one line; empty if it can. Touches no file.
 std::string FindError(const std::string& fileName);

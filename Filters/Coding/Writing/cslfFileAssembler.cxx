@@ -113,20 +113,13 @@ void FileAssembler::Begin(
 std::string FileAssembler::MakeManifest(std::uint32_t checksum, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
-  nlohmann::json manifest = { { "version", 6 }, { "cslf", CSLF_VERSION },
-    { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
-    { "description", this->Header.Field.ToJSON() },
+  nlohmann::json manifest = DescribeSettings(settings);
+  manifest.update({ { "version", 6 }, { "description", this->Header.Field.ToJSON() },
     { "measured",
       { { "sample", checksum }, { "geometry", plan.GetChecksum() },
         { "computes_coverage", plan.GetComputed().HasCoverage },
         { "computes_color", plan.GetComputed().HasColor },
-        { "computes_all", plan.GetComputed().IsAll } } },
-    { "coding", settings.Codec }, { "preset", settings.Preset },
-    { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
-    { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
-    { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
-    { "target", static_cast<int>(settings.Target.Kind) },
-    { "target_value", settings.Target.Value } };
+        { "computes_all", plan.GetComputed().IsAll } } } });
   if (settings.Target.Kind == RateTarget::Kinds::Bytes ||
     settings.Target.Kind == RateTarget::Kinds::Ratio)
   {

@@ -25,6 +25,19 @@ check(os.path.getsize("d.mp4") < os.path.getsize("a.mp4"), "no smaller without d
 ratio = color.shape[0] * 3 / os.path.getsize("c.mkv")
 check(14 < ratio < 16, f"coded to a ratio of {ratio}")
 
+# A series of videos: the times are announced, and the field is that of the time that is requested.
+with open("series.mp4.series", "w") as file:
+    file.write('{"file-series-version": "1.0", "files": [{"name": "a.mp4", "time": 0.5}, '
+               '{"name": "d.mp4", "time": 2.0}]}')
+series = OpenDataFile("series.mp4.series")
+check(series.GetXMLName() == "CSLFReader", f"the series was opened by {series.GetXMLName()}")
+check(list(series.TimestepValues) == [0.5, 2.0], f"the times are {series.TimestepValues}")
+for time, name in ((0.5, "a.mp4"), (2.0, "d.mp4"), (1.9, "a.mp4")):
+    series.UpdatePipeline(time)
+    single = OpenDataFile(name)
+    check((fetch_array(series, "Color") == fetch_array(single, "Color")).all(),
+          f"at {time}, the series is not {name}")
+
 # A folder of cube maps.
 writer = cslf.vtkCSLFImageWriter()
 writer.SetInputConnection(field.GetClientSideObject().GetOutputPort())
