@@ -5,6 +5,7 @@
 #include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "PathTracing/Volumes/cslfVolumeSet.h"
 #include "SIMD/cslfVectorize.h"
 #include "cslfDirectLight.h"
 #include "cslfPathBatch.h"
@@ -25,9 +26,10 @@ public:
 
   /// Evaluates the rays' hits and continues the paths. Adds the results to the radiances of the
   /// batch's paths. Returns the number of shadow rays.
-  std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances);
+  std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, PathBatch& batch);
 
 private:
+  void PassVolumes(PathPacket& paths, const HitLanes& hits, float* coverages);
   void AddEnvironment(PathPacket& paths, const HitLanes& hits);
   void EndWhereKnown(PathPacket& paths, const HitLanes& hits);
   void AddEmission(const PathPacket& paths, const HitLanes& hits);
@@ -49,7 +51,9 @@ private:
   bool AreAveraged; // as in PathBatch
 
   // Of the packet.
-  Vec3Lanes Found; // the radiance that the step adds
+  VeilLanes Veils;      // in front of the hits, if the scene has volumes
+  Vec3Lanes VeilWeight; // of the light of these
+  Vec3Lanes Found;      // the radiance that the step adds
   ScatterLanes Points;
   LaneMask Continues;    // whether paths may continue from Lambertian surfaces
   Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
@@ -174,10 +178,19 @@ PathStep::PathStep(const PathIntegrator& paths, const PathBatch& batch, int vert
 {
 }
 
-std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances)
+std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, PathBatch& batch)
 {
   std::uint64_t rays = 0;
-  this->AddEnvironment(paths, hits);
+  if (this->World.GetVolumes())
+  {
+    this->PassVolumes(paths, hits, batch.GetCoverages());
+    this->AddEnvironment(paths, hits);
+    AddWeighted(this->VeilWeight, this->Veils.Radiance, this->Found);
+  }
+  else
+  {
+    this->AddEnvironment(paths, hits);
+  }
   if (this->Stored && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
   {
     this->EndWhereKnown(paths, hits);
@@ -206,8 +219,41 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
       std::fill_n(paths.Rays.Active.Values, LaneCount, 0);
     }
   }
-  Deposit(this->Found, paths, radiances);
+  Deposit(this->Found, paths, batch.GetRadiances());
   return rays;
+}
+
+/// Attenuates what rays see by the volumes in front of it, and ends the paths that these hide.
+void PathStep::PassVolumes(PathPacket& paths, const HitLanes& hits, float* coverages)
+{
+  const VolumeSet& volumes = *this->World.GetVolumes();
+  Lanes<float> far;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    far[lane] = hits.IsValid(lane) ? hits.Distance[lane] : VolumeSet::Everywhere;
+  }
+  Lanes<float> shifts;
+  paths.Streams.Get1D(this->Vertex, Dimension::Pixel, shifts);
+  volumes.Integrate(paths.Rays, far, shifts, this->Veils);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    if (paths.Rays.Active[lane] == 0)
+    {
+      this->VeilWeight.Set(lane, glm::vec3(0.0f));
+      continue;
+    }
+    const float transmittance = this->Veils.Transmittance[lane];
+    this->VeilWeight.Set(lane, paths.Beta.Get(lane));
+    paths.Beta.Set(lane, transmittance * paths.Beta.Get(lane));
+    // A field shows the rays to the eye over any background.
+    const bool isOverBackground =
+      this->Depth == 0 && !hits.IsValid(lane) && !this->Settings.ShowsEnvironment;
+    if (isOverBackground)
+    {
+      coverages[paths.Path[lane]] = 1.0f - transmittance;
+    }
+    paths.Rays.Active[lane] = isOverBackground || transmittance == 0.0f ? 0 : -1;
+  }
 }
 
 void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
@@ -478,7 +524,7 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
         this->World.Intersect(packet.Rays, hits);
         rays += static_cast<std::uint64_t>(Count(packet.Rays.Active));
       }
-      rays += step.Advance(packet, hits, batch.GetRadiances());
+      rays += step.Advance(packet, hits, batch);
     }
     batch.Compact();
   }

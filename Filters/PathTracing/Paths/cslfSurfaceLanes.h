@@ -9,7 +9,8 @@
 
 #include "PathTracing/Materials/cslfBSDF.h"
 #include "PathTracing/Materials/cslfLobe.h"
-#include "PathTracing/Scene/cslfRayLanes.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
+#include "PathTracing/Scene/cslfScene.h"
 
 #include <optional>
 
