@@ -135,7 +135,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
-  cslf_add(Filters/PathTracing/Volumes Volume VolumeReader VolumeSet)
+  cslf_add(Filters/PathTracing/Volumes PhaseFunction Volume VolumeReader VolumeSet)
   cslf_add(Filters/CubeMaps CubeMapFiles)
   # How well fields show their scenes.
   cslf_add(Filters/Certificate Certifier PixelBeams ShownPixels)

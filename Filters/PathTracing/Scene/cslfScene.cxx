@@ -5,11 +5,11 @@
 #include "PathTracing/Rays/cslfEmbree.h"
 #include "PathTracing/Rays/cslfHitFilter.h"
 #include "PathTracing/Rays/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "PathTracing/Volumes/cslfVolumeSet.h"
 #include "Pipeline/cslfPhase.h"
 #include "SIMD/cslfVectorize.h"
-#include "PathTracing/Rays/cslfRayLanes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

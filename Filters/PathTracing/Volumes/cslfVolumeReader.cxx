@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfVolumeReader.h"
 
+#include "cslfPhaseFunction.h"
 #include "vtkCSLFVolume.h"
 
 #include <vtkCellData.h>
@@ -171,6 +172,7 @@ bool ReadLook(vtkDataObject* data, VolumeData& volume)
   volume.IsNearest = ReadNumber(data, vtkCSLFVolume::InterpolationName(), 1.0) == 0.0;
   volume.IsLit = ReadNumber(data, vtkCSLFVolume::ShadeName(), 0.0) != 0.0;
   volume.Anisotropy = static_cast<float>(ReadNumber(data, vtkCSLFVolume::AnisotropyName(), 0.0));
+  volume.Anisotropy = std::abs(volume.Anisotropy) > MinimumAnisotropy ? volume.Anisotropy : 0.0f;
   return volume.UnitDistance > 0.0 && std::abs(volume.Anisotropy) < 1.0f &&
     volume.Range[0] <= volume.Range[1];
 }

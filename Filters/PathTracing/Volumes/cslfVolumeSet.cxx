@@ -238,7 +238,7 @@ bool VolumeSet::MayMeet(const RayPacket& packet) const
 /// all steps of a ray.
 template <typename Visit>
 void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts,
-  bool withLit, const Visit& visit) const
+  Kinds kinds, const Visit& visit) const
 {
   std::vector<VolumeSpans> spans;
   Lanes<float> near;
@@ -249,7 +249,7 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
   for (const Volume& volume : this->Volumes)
   {
     spans.emplace_back();
-    if (!withLit && volume.IsLit())
+    if (!IsOf(kinds, volume))
     {
       continue;
     }
@@ -288,7 +288,7 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
     medium.Clear();
     for (std::size_t i = 0; i < spans.size(); ++i)
     {
-      if (withLit || !this->Volumes[i].IsLit())
+      if (IsOf(kinds, this->Volumes[i]))
       {
         this->Volumes[i].AddMedium(spans[i], middles, active, medium);
       }
@@ -308,7 +308,7 @@ void VolumeSet::Integrate(
   SumLanes sums;
   if (this->AnyUnlit)
   {
-    this->March(rays, far, shifts, false,
+    this->March(rays, far, shifts, Kinds::Unlit,
       [&sums](
         const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask& active)
       {
@@ -363,6 +363,77 @@ bool VolumeSet::FindCollision(
   return isFound;
 }
 
+void VolumeSet::FindOpacities(const RayLanes& rays, const Lanes<float>& far,
+  const Lanes<float>& shifts, Lanes<float>& opacities) const
+{
+  SumLanes sums;
+  this->March(rays, far, shifts, Kinds::Lit,
+    [&sums](const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask&)
+    { Composite(medium, steps, sums); });
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    opacities[lane] = 1.0f - sums.Transmittance[lane];
+  }
+}
+
+std::uint32_t VolumeSet::FindCollisions(const RayLanes& rays, const Lanes<float>& far,
+  const Lanes<float>& shifts, const Lanes<float>& opacities, Collision collisions[]) const
+{
+  SumLanes sums;
+  std::uint32_t found = 0;
+  this->March(rays, far, shifts, Kinds::Lit,
+    [&](const MediumLanes& medium, const Lanes<float>& begins, const Lanes<float>& steps,
+      LaneMask& active)
+    {
+      const SumLanes before = sums;
+      Composite(medium, steps, sums);
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        const float passed = 1.0f - opacities[lane];
+        if (active[lane] != 0 && medium.Extinction[lane] > 0.0f &&
+          sums.Transmittance[lane] < passed)
+        {
+          const float depth = std::log(before.Transmittance[lane] / passed);
+          const float step = std::clamp(depth / medium.Extinction[lane], 0.0f, steps[lane]);
+          // The medium is that of the step.
+          const Ray ray = rays.Get(lane);
+          this->FindMedium(
+            ray, begins[lane] + shifts[lane] * steps[lane], HashRay(ray), collisions[lane]);
+          collisions[lane].Distance = begins[lane] + step;
+          found |= 1u << lane;
+          active[lane] = 0;
+        }
+      }
+    });
+  return found;
+}
+
+/// One of the lit media of a point, at random by their extinction.
+void VolumeSet::FindMedium(const Ray& ray, float at, std::uint64_t seed, Collision& collision) const
+{
+  RaySequence numbers(seed);
+  collision = {};
+  float sum = 0.0f;
+  for (const Volume& volume : this->Volumes)
+  {
+    float near;
+    float end;
+    if (!volume.IsLit() || !volume.FindSpan(ray, Everywhere, near, end) || at < near || at > end)
+    {
+      continue;
+    }
+    glm::vec3 color;
+    const float extinction =
+      volume.GetRate(ray.Direction) * volume.Get(ray.Origin + at * ray.Direction, color);
+    sum += extinction;
+    if (extinction > 0.0f && numbers.Next() * sum <= extinction)
+    {
+      collision.Albedo = glm::vec3(SRGBToLinear(glm::dvec3(color)));
+      collision.Anisotropy = volume.GetData().Anisotropy;
+    }
+  }
+}
+
 void VolumeSet::Attenuate(
   const RayLanes& rays, const Lanes<float>& far, Lanes<float>& transmittances) const
 {
@@ -403,11 +474,11 @@ void VolumeSet::FindMiddles(RayPacket& packet) const
   }
   // What all of them hide, then where half of what is seen is hidden.
   SumLanes all;
-  this->March(rays, far, shifts, true,
+  this->March(rays, far, shifts, Kinds::All,
     [&all](const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask&)
     { Composite(medium, steps, all); });
   SumLanes sums;
-  this->March(rays, far, shifts, true,
+  this->March(rays, far, shifts, Kinds::All,
     [&](const MediumLanes& medium, const Lanes<float>& begins, const Lanes<float>& steps,
       LaneMask& active)
     {

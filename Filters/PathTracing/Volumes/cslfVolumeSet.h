@@ -10,8 +10,8 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Rays/cslfRayGrid.h"
-#include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Rays/cslfRayLanes.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
 #include "cslfVolume.h"
 
 #include <cstdint>
@@ -51,6 +51,7 @@ public:
 
   bool IsEmpty() const { return this->Volumes.empty(); }
   bool IsAnyLit() const { return this->AnyLit; }
+  bool IsAnyUnlit() const { return this->AnyUnlit; }
   const std::vector<Volume>& GetVolumes() const { return this->Volumes; }
 
   /// The box around all, in scene space; only if there are any.
@@ -68,8 +69,18 @@ public:
     VeilLanes& veils) const;
 
   /// The first collision of a ray with a medium that is lit, before a distance. False if there is
-  /// none. `seed` determines the random numbers.
+  /// none. `seed` determines the random numbers. Unbiased.
   bool FindCollision(const Ray& ray, float far, std::uint64_t seed, Collision& collision) const;
+
+  /// The opacity of media that are lit, in steps like those of Integrate.
+  void FindOpacities(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts,
+    Lanes<float>& opacities) const;
+
+  /// Collisions of active rays where that opacity reaches given values, which are less than the
+  /// whole. With uniform random values, the distribution is that of FindCollision, but for the
+  /// steps. Returns a bit for each collision that was found.
+  std::uint32_t FindCollisions(const RayLanes& rays, const Lanes<float>& far,
+    const Lanes<float>& shifts, const Lanes<float>& opacities, Collision collisions[]) const;
 
   /// Attenuates light on its way from a distance along the rays. Unbiased; rays of the same place
   /// and direction get the same result.
@@ -81,9 +92,22 @@ public:
   void FindMiddles(RayPacket& packet) const;
 
 private:
+  enum class Kinds
+  {
+    Unlit,
+    Lit,
+    All
+  };
+
+  static bool IsOf(Kinds kinds, const Volume& volume)
+  {
+    return kinds == Kinds::All || volume.IsLit() == (kinds == Kinds::Lit);
+  }
+
   template <typename Visit>
-  void March(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts,
-    bool withLit, const Visit& visit) const;
+  void March(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts, Kinds kinds,
+    const Visit& visit) const;
+  void FindMedium(const Ray& ray, float at, std::uint64_t seed, Collision& collision) const;
 
   std::vector<Volume> Volumes;
   bool AnyLit = false;
