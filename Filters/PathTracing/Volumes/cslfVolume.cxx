@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -94,10 +95,6 @@ struct VolumeKernel
   int Size[3];
   int Brick[3];
   const float* Majorants;
-  const float* Red;
-  const float* Green;
-  const float* Blue;
-  const float* Extinctions;
   float Low;
   float Scale;
   bool IsNearest;
@@ -107,10 +104,6 @@ struct VolumeKernel
     , Size{ volume.Data.Size[0], volume.Data.Size[1], volume.Data.Size[2] }
     , Brick{ volume.Bricks[0], volume.Bricks[1], volume.Bricks[2] }
     , Majorants(volume.Majorants.data())
-    , Red(volume.Red.data())
-    , Green(volume.Green.data())
-    , Blue(volume.Blue.data())
-    , Extinctions(volume.Extinctions.data())
     , Low(volume.Data.Range[0])
     , Scale(volume.TableScale)
     , IsNearest(volume.Data.IsNearest)
@@ -146,7 +139,8 @@ struct VolumeKernel
     return this->Values[(k * this->Size[1] + j) * this->Size[0] + i];
   }
 
-  float GetLinear(float x, float y, float z) const
+  /// The lowest of the eight nodes around a place, and the place between them.
+  int GetCell(float x, float y, float z, float& u, float& v, float& w) const
   {
     const float px = Clamp(x, this->Size[0]);
     const float py = Clamp(y, this->Size[1]);
@@ -154,44 +148,65 @@ struct VolumeKernel
     const int i = Below(px, this->Size[0]);
     const int j = Below(py, this->Size[1]);
     const int k = Below(pz, this->Size[2]);
-    const float u = px - static_cast<float>(i);
-    const float v = py - static_cast<float>(j);
-    const float w = pz - static_cast<float>(k);
-    const int row = this->Size[0];
-    const int slice = row * this->Size[1];
-    const int node = k * slice + j * row + i;
-    const float* values = this->Values;
-    const float a = values[node] + u * (values[node + 1] - values[node]);
-    const float b = values[node + row] + u * (values[node + row + 1] - values[node + row]);
-    const float c = values[node + slice] + u * (values[node + slice + 1] - values[node + slice]);
-    const float d = values[node + slice + row] +
-      u * (values[node + slice + row + 1] - values[node + slice + row]);
+    u = px - static_cast<float>(i);
+    v = py - static_cast<float>(j);
+    w = pz - static_cast<float>(k);
+    return (k * this->Size[1] + j) * this->Size[0] + i;
+  }
+
+  /// Calls `set(number, value)` for the nodes of a cell: the number has a bit for each axis.
+  template <typename Set>
+  void GetCorners(int node, const Set& set) const
+  {
+    const float* values = this->Values + node;
+    const std::ptrdiff_t row = this->Size[0];
+    const std::ptrdiff_t slice = row * this->Size[1];
+    set(0, values[0]);
+    set(1, values[1]);
+    set(2, values[row]);
+    set(3, values[row + 1]);
+    set(4, values[slice]);
+    set(5, values[slice + 1]);
+    set(6, values[slice + row]);
+    set(7, values[slice + row + 1]);
+  }
+
+  float GetLinear(float x, float y, float z) const
+  {
+    float u;
+    float v;
+    float w;
+    float corners[8];
+    this->GetCorners(
+      this->GetCell(x, y, z, u, v, w), [&corners](int i, float value) { corners[i] = value; });
+    return Interpolate(corners[0], corners[1], corners[2], corners[3], corners[4], corners[5],
+      corners[6], corners[7], u, v, w);
+  }
+
+  static float Interpolate(float c0, float c1, float c2, float c3, float c4, float c5, float c6,
+    float c7, float u, float v, float w)
+  {
+    const float a = c0 + u * (c1 - c0);
+    const float b = c2 + u * (c3 - c2);
+    const float c = c4 + u * (c5 - c4);
+    const float d = c6 + u * (c7 - c6);
     const float low = a + v * (b - a);
     const float high = c + v * (d - c);
     return low + w * (high - low);
   }
 
-  /// The entry of the table for a value.
-  int GetEntry(float value) const
+  // The entry of nothing.
+  static constexpr float NoEntry = static_cast<float>(Volume::TableSize);
+
+  /// The entry of the table for a value, as a float.
+  float GetPlace(float value) const
   {
     constexpr float last = static_cast<float>(Volume::TableSize - 1);
     const float place = (value - this->Low) * this->Scale + 0.5f;
     const float inside = place > 0.0f ? (place < last ? place : last) : 0.0f;
-    return value == value ? static_cast<int>(inside) : Volume::TableSize;
+    return value == value ? inside : NoEntry;
   }
-
-  template <bool Nearest>
-  void Add(
-    float x, float y, float z, bool isInside, float rate, int lane, MediumLanes& medium) const
-  {
-    const float value = Nearest ? this->GetNearest(x, y, z) : this->GetLinear(x, y, z);
-    const int entry = isInside ? this->GetEntry(value) : Volume::TableSize;
-    const float extinction = rate * this->Extinctions[entry];
-    medium.Extinction[lane] += extinction;
-    medium.Light.X[lane] += extinction * this->Red[entry];
-    medium.Light.Y[lane] += extinction * this->Green[entry];
-    medium.Light.Z[lane] += extinction * this->Blue[entry];
-  }
+  int GetEntry(float value) const { return static_cast<int>(this->GetPlace(value)); }
 };
 
 namespace
@@ -212,40 +227,102 @@ CSLF_VECTORIZE void FindPlaces(const VolumeSpans& spans, const Lanes<float>& at,
 
 /// Whether the bricks of points inside contain anything.
 CSLF_VECTORIZE bool IsAnything(
-  const VolumeKernel& kernel, const Vec3Lanes& places, const LaneMask& inside)
+  const VolumeKernel& given, const Vec3Lanes& places, const LaneMask& inside)
 {
-  float most = 0.0f;
+  const VolumeKernel kernel = given;
+  const float* x = places.X.Values;
+  const float* y = places.Y.Values;
+  const float* z = places.Z.Values;
+  const std::int32_t* mask = inside.Values;
+  float majorants[LaneCount];
+  CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
-    const int brick = kernel.GetBrick(places.X[i], places.Y[i], places.Z[i]);
-    const float majorant = inside[i] != 0 ? kernel.Majorants[brick] : 0.0f;
-    most = majorant > most ? majorant : most;
+    const float majorant = kernel.Majorants[kernel.GetBrick(x[i], y[i], z[i])];
+    majorants[i] = mask[i] != 0 ? majorant : 0.0f;
   }
-  return most > 0.0f;
+  float sum = 0.0f;
+  for (float majorant : majorants)
+  {
+    sum += majorant;
+  }
+  return sum > 0.0f;
 }
 
-template <bool Nearest>
-inline void AddAll(const VolumeKernel& given, const Vec3Lanes& places, const LaneMask& inside,
-  const Lanes<float>& rates, MediumLanes& medium)
+/// The values of points. Only the loads, whose addresses are anywhere, are not vectorised.
+struct CellLanes
+{
+  alignas(64) std::int32_t Node[LaneCount];
+  alignas(64) float U[LaneCount];
+  alignas(64) float V[LaneCount];
+  alignas(64) float W[LaneCount];
+  alignas(64) float Corners[8][LaneCount];
+};
+
+CSLF_VECTORIZE void FindCells(const VolumeKernel& given, const Vec3Lanes& places, CellLanes& cells)
 {
   const VolumeKernel kernel = given;
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
-    kernel.Add<Nearest>(places.X[i], places.Y[i], places.Z[i], inside[i] != 0, rates[i], i, medium);
+    float u;
+    float v;
+    float w;
+    cells.Node[i] = kernel.GetCell(places.X[i], places.Y[i], places.Z[i], u, v, w);
+    cells.U[i] = u;
+    cells.V[i] = v;
+    cells.W[i] = w;
   }
 }
 
-CSLF_VECTORIZE void AddPoints(const VolumeKernel& kernel, const Vec3Lanes& places,
-  const LaneMask& inside, const Lanes<float>& rates, MediumLanes& medium)
+CSLF_VECTORIZE void InterpolateCells(const CellLanes& cells, Lanes<float>& values)
 {
-  if (kernel.IsNearest)
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
   {
-    AddAll<true>(kernel, places, inside, rates, medium);
+    values[i] = VolumeKernel::Interpolate(cells.Corners[0][i], cells.Corners[1][i],
+      cells.Corners[2][i], cells.Corners[3][i], cells.Corners[4][i], cells.Corners[5][i],
+      cells.Corners[6][i], cells.Corners[7][i], cells.U[i], cells.V[i], cells.W[i]);
   }
-  else
+}
+
+void GetLinear(const VolumeKernel& kernel, const Vec3Lanes& places, Lanes<float>& values)
+{
+  CellLanes cells;
+  FindCells(kernel, places, cells);
+  for (int i = 0; i < LaneCount; ++i)
   {
-    AddAll<false>(kernel, places, inside, rates, medium);
+    kernel.GetCorners(
+      cells.Node[i], [&cells, i](int corner, float value) { cells.Corners[corner][i] = value; });
+  }
+  InterpolateCells(cells, values);
+}
+
+CSLF_VECTORIZE void FindEntries(const VolumeKernel& given, const Lanes<float>& values,
+  const LaneMask& inside, Lanes<std::int32_t>& entries)
+{
+  const VolumeKernel kernel = given;
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const float place = kernel.GetPlace(values[i]);
+    entries[i] = static_cast<std::int32_t>(inside[i] != 0 ? place : VolumeKernel::NoEntry);
+  }
+}
+
+/// Adds entries of the table, whose last component is an extinction for a unit of length in the
+/// coordinates of the data set.
+CSLF_VECTORIZE void AddEntries(const Vec3Lanes& colors, const Lanes<float>& extinctions,
+  const Lanes<float>& rates, MediumLanes& medium)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const float extinction = rates[i] * extinctions[i];
+    medium.Extinction[i] += extinction;
+    medium.Light.X[i] += extinction * colors.X[i];
+    medium.Light.Y[i] += extinction * colors.Y[i];
+    medium.Light.Z[i] += extinction * colors.Z[i];
   }
 }
 }
@@ -294,17 +371,11 @@ void Volume::MakeTable()
     const auto low = std::min(static_cast<std::size_t>(place), table.size() - 2);
     const auto share = static_cast<float>(place - static_cast<double>(low));
     const glm::vec4 entry = glm::clamp(glm::mix(table[low], table[low + 1], share), 0.0f, 1.0f);
-    this->Red.push_back(entry.x);
-    this->Green.push_back(entry.y);
-    this->Blue.push_back(entry.z);
     const double opacity = std::min<double>(entry.w, MaximumOpacity);
-    this->Extinctions.push_back(
-      static_cast<float>(-std::log1p(-opacity) / this->Data.UnitDistance));
+    this->Table.emplace_back(
+      glm::vec3(entry), static_cast<float>(-std::log1p(-opacity) / this->Data.UnitDistance));
   }
-  for (std::vector<float>* entries : { &this->Red, &this->Green, &this->Blue, &this->Extinctions })
-  {
-    entries->push_back(0.0f);
-  }
+  this->Table.emplace_back(0.0f);
   const float range = this->Data.Range[1] - this->Data.Range[0];
   this->TableScale = range > 0.0f ? (TableSize - 1) / range : 0.0f;
 }
@@ -327,7 +398,10 @@ void Volume::MakeBricks()
   }
   const vtkIdType bricks = vtkIdType(this->Bricks[0]) * this->Bricks[1] * this->Bricks[2];
   this->Majorants.assign(static_cast<std::size_t>(bricks), 0.0f);
-  const RunMaximum largest({ this->Extinctions.begin(), this->Extinctions.end() - 1 });
+  std::vector<float> extinctions(TableSize);
+  std::transform(this->Table.begin(), this->Table.end() - 1, extinctions.begin(),
+    [](const glm::vec4& entry) { return entry.w; });
+  const RunMaximum largest(extinctions);
   const VolumeKernel kernel(*this);
   ParallelFor(0, bricks, 0,
     [&](vtkIdType begin, vtkIdType end)
@@ -470,7 +544,31 @@ void Volume::AddMedium(const VolumeSpans& spans, const Lanes<float>& at, const L
   const VolumeKernel kernel(*this);
   if (IsAnything(kernel, places, inside))
   {
-    AddPoints(kernel, places, inside, spans.Rate, medium);
+    Lanes<float> values;
+    if (kernel.IsNearest)
+    {
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        values[lane] = kernel.GetNearest(places.X[lane], places.Y[lane], places.Z[lane]);
+      }
+    }
+    else
+    {
+      GetLinear(kernel, places, values);
+    }
+    Lanes<std::int32_t> entries;
+    FindEntries(kernel, values, inside, entries);
+    Vec3Lanes colors;
+    Lanes<float> extinctions;
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const glm::vec4& entry = this->Table[entries[lane]];
+      colors.X[lane] = entry.x;
+      colors.Y[lane] = entry.y;
+      colors.Z[lane] = entry.z;
+      extinctions[lane] = entry.w;
+    }
+    AddEntries(colors, extinctions, spans.Rate, medium);
   }
 }
 
@@ -486,7 +584,7 @@ float Volume::Get(const glm::vec3& point, glm::vec3& color) const
   const int entry =
     kernel.GetEntry(this->Data.IsNearest ? kernel.GetNearest(place.x, place.y, place.z)
                                          : kernel.GetLinear(place.x, place.y, place.z));
-  color = { this->Red[entry], this->Green[entry], this->Blue[entry] };
-  return this->Extinctions[entry];
+  color = glm::vec3(this->Table[entry]);
+  return this->Table[entry].w;
 }
 }

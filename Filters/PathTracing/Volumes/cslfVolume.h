@@ -12,6 +12,7 @@
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "SIMD/cslfLanes.h"
 
+#include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
 #include <glm/geometric.hpp>
@@ -23,8 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <vector>
-
-class vtkDataArray;
 
 namespace cslf
 {
@@ -134,11 +133,8 @@ private:
   VolumeData Data;
   glm::mat4 FromScene{ 1.0f }; // to grid space
   glm::mat3 DataFromScene{ 1.0f };
-  std::vector<glm::vec4> Planes; // in scene space
-  std::vector<float> Red;        // of the entries; one more for NaN
-  std::vector<float> Green;
-  std::vector<float> Blue;
-  std::vector<float> Extinctions;
+  std::vector<glm::vec4> Planes;    // in scene space
+  std::vector<glm::vec4> Table;     // colours and extinctions of the entries; one more for NaN
   float TableScale = 1.0f;          // entries for a unit of the scalar
   std::vector<float> Majorants;     // of the bricks
   int Bricks[3] = { 0, 0, 0 };      // their number along each axis

@@ -21,6 +21,9 @@ namespace
 // Rays end where less of the light than this passes: below half a level of 8 bits.
 constexpr float LeastTransmittance = 1.0f / 1024.0f;
 
+// The steps that find a depth, in those that find colours.
+constexpr float DepthStep = 2.0f;
+
 // Tracking of light goes on at random below this transmittance.
 constexpr float RouletteTransmittance = 0.1f;
 
@@ -67,6 +70,57 @@ CSLF_VECTORIZE void Composite(const MediumLanes& medium, const Lanes<float>& ste
     const float weight = sums.Transmittance[i] * opacity;
     sums.Light.Set(i, sums.Light.Get(i) + weight * inverse * medium.Light.Get(i));
     sums.Transmittance[i] -= weight;
+  }
+}
+
+/// Ends rays where hardly any light passes.
+CSLF_VECTORIZE void EndWhereDark(const SumLanes& sums, LaneMask& active)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    active[i] = sums.Transmittance[i] > LeastTransmittance ? active[i] : 0;
+  }
+}
+
+/// The steps of rays.
+struct StepLanes
+{
+  LaneMask Active;
+  Lanes<float> At;     // where they begin
+  Lanes<float> Length; // of each
+  Lanes<float> End;    // of the last one
+  Lanes<float> Steps;  // 0 for rays that have ended
+  Lanes<float> Middles;
+
+  void Begin(int lane, float near, float end, float longest)
+  {
+    const bool isActive = near < end;
+    this->Active[lane] = isActive ? -1 : 0;
+    this->At[lane] = isActive ? near : 0.0f;
+    this->End[lane] = end;
+    this->Length[lane] = isActive ? (end - near) / std::ceil((end - near) / longest) : 0.0f;
+  }
+};
+
+CSLF_VECTORIZE void FindMiddles(const Lanes<float>& shifts, StepLanes& steps)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    steps.Steps[i] = steps.Active[i] != 0 ? steps.Length[i] : 0.0f;
+    steps.Middles[i] = steps.At[i] + shifts[i] * steps.Length[i];
+  }
+}
+
+CSLF_VECTORIZE void Advance(StepLanes& steps)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    steps.At[i] += steps.Steps[i];
+    const bool isBefore = steps.At[i] + 0.5f * steps.Length[i] < steps.End[i];
+    steps.Active[i] = isBefore ? steps.Active[i] : 0;
   }
 }
 
@@ -234,11 +288,11 @@ bool VolumeSet::MayMeet(const RayPacket& packet) const
 }
 
 /// Calls `visit(medium, begins, steps, active)` for each step along the rays, until none is active.
-/// Each ray has steps of one length. The medium of a step is that at a place inside it, the same in
-/// all steps of a ray.
+/// Each ray has steps of one length, at most `scale` of the volumes' steps. The medium of a step is
+/// that at a place inside it, the same in all steps of a ray.
 template <typename Visit>
 void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts,
-  Kinds kinds, const Visit& visit) const
+  Kinds kinds, float scale, const Visit& visit) const
 {
   std::vector<VolumeSpans> spans;
   Lanes<float> near;
@@ -264,41 +318,25 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
       }
     }
   }
-  LaneMask active;
-  Lanes<float> at;
-  Lanes<float> steps;
-  Lanes<float> lengths;
+  StepLanes steps;
   for (int lane = 0; lane < LaneCount; ++lane)
   {
-    active[lane] = near[lane] < end[lane] ? -1 : 0;
-    const float length = active[lane] ? end[lane] - near[lane] : 0.0f;
-    lengths[lane] = length > 0.0f ? length / std::ceil(length / longest) : 0.0f;
-    at[lane] = active[lane] ? near[lane] : 0.0f;
-    steps[lane] = 0.0f;
+    steps.Begin(lane, near[lane], end[lane], scale * longest);
   }
   MediumLanes medium;
-  Lanes<float> middles;
-  while (IsAny(active))
+  while (IsAny(steps.Active))
   {
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      steps[lane] = active[lane] ? lengths[lane] : 0.0f;
-      middles[lane] = at[lane] + shifts[lane] * lengths[lane];
-    }
+    cslf::FindMiddles(shifts, steps);
     medium.Clear();
     for (std::size_t i = 0; i < spans.size(); ++i)
     {
       if (IsOf(kinds, this->Volumes[i]))
       {
-        this->Volumes[i].AddMedium(spans[i], middles, active, medium);
+        this->Volumes[i].AddMedium(spans[i], steps.Middles, steps.Active, medium);
       }
     }
-    visit(medium, at, steps, active);
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      at[lane] += steps[lane];
-      active[lane] = at[lane] + 0.5f * lengths[lane] < end[lane] ? active[lane] : 0;
-    }
+    visit(medium, steps.At, steps.Steps, steps.Active);
+    Advance(steps);
   }
 }
 
@@ -308,15 +346,12 @@ void VolumeSet::Integrate(
   SumLanes sums;
   if (this->AnyUnlit)
   {
-    this->March(rays, far, shifts, Kinds::Unlit,
+    this->March(rays, far, shifts, Kinds::Unlit, 1.0f,
       [&sums](
         const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask& active)
       {
         Composite(medium, steps, sums);
-        for (int lane = 0; lane < LaneCount; ++lane)
-        {
-          active[lane] = sums.Transmittance[lane] > LeastTransmittance ? active[lane] : 0;
-        }
+        EndWhereDark(sums, active);
       });
   }
   for (int lane = 0; lane < LaneCount; ++lane)
@@ -367,7 +402,7 @@ void VolumeSet::FindOpacities(const RayLanes& rays, const Lanes<float>& far,
   const Lanes<float>& shifts, Lanes<float>& opacities) const
 {
   SumLanes sums;
-  this->March(rays, far, shifts, Kinds::Lit,
+  this->March(rays, far, shifts, Kinds::Lit, 1.0f,
     [&sums](const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask&)
     { Composite(medium, steps, sums); });
   for (int lane = 0; lane < LaneCount; ++lane)
@@ -381,7 +416,7 @@ std::uint32_t VolumeSet::FindCollisions(const RayLanes& rays, const Lanes<float>
 {
   SumLanes sums;
   std::uint32_t found = 0;
-  this->March(rays, far, shifts, Kinds::Lit,
+  this->March(rays, far, shifts, Kinds::Lit, 1.0f,
     [&](const MediumLanes& medium, const Lanes<float>& begins, const Lanes<float>& steps,
       LaneMask& active)
     {
@@ -474,11 +509,11 @@ void VolumeSet::FindMiddles(RayPacket& packet) const
   }
   // What all of them hide, then where half of what is seen is hidden.
   SumLanes all;
-  this->March(rays, far, shifts, Kinds::All,
+  this->March(rays, far, shifts, Kinds::All, DepthStep,
     [&all](const MediumLanes& medium, const Lanes<float>&, const Lanes<float>& steps, LaneMask&)
     { Composite(medium, steps, all); });
   SumLanes sums;
-  this->March(rays, far, shifts, Kinds::All,
+  this->March(rays, far, shifts, Kinds::All, DepthStep,
     [&](const MediumLanes& medium, const Lanes<float>& begins, const Lanes<float>& steps,
       LaneMask& active)
     {

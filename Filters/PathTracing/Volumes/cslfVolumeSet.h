@@ -106,7 +106,7 @@ private:
 
   template <typename Visit>
   void March(const RayLanes& rays, const Lanes<float>& far, const Lanes<float>& shifts, Kinds kinds,
-    const Visit& visit) const;
+    float scale, const Visit& visit) const;
   void FindMedium(const Ray& ray, float at, std::uint64_t seed, Collision& collision) const;
 
   std::vector<Volume> Volumes;
