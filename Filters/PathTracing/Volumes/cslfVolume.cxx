@@ -29,7 +29,7 @@ constexpr int BrickSide = 8;
 constexpr double MaximumOpacity = 1.0 - 1e-8;
 
 // A step along a ray, in the distance of nodes. The first one has a random length.
-constexpr float StepOfNodes = 0.5f;
+constexpr float StepOfNodes = 1.0f;
 
 /// The largest of values from one index to another: a table of the largest values of all runs whose
 /// lengths are powers of two.
