@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfVolumeReader.h"
 
+#include "Pipeline/cslfParallelFor.h"
 #include "cslfPhaseFunction.h"
 #include "vtkCSLFVolume.h"
 
@@ -14,7 +15,6 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
@@ -87,7 +87,7 @@ void ReadValues(
     return;
   }
   volume.Converted.resize(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-  vtkSMPTools::For(0, scalars->GetNumberOfTuples(),
+  ParallelFor(0, scalars->GetNumberOfTuples(), 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
