@@ -14,7 +14,7 @@ set(cslf_vtk_components
   ImagingCore ImagingGeneral
   IOCore IOExport IOImage IOXML
   ParallelCore
-  RenderingCore RenderingOpenGL2 png vtksys)
+  RenderingCore RenderingOpenGL2 RenderingVolume png jpeg vtksys)
 # The tool and the tests.
 if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components
@@ -27,7 +27,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
 endif ()
 if (CSLF_BUILD_TESTING AND NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components
-    ChartsCore RenderingContextOpenGL2 TestingCore TestingRendering ViewsContext2D)
+    ChartsCore RenderingContextOpenGL2 RenderingVolumeOpenGL2 TestingCore TestingRendering ViewsContext2D)
 endif ()
 if (CSLF_WRAP_PYTHON)
   list(APPEND cslf_vtk_components WrappingPythonCore WrappingTools)

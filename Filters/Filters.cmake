@@ -97,6 +97,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/SceneData/vtkCSLFInstances
     ../Filters/SceneData/vtkCSLFLight
     ../Filters/SceneData/vtkCSLFMaterial
+    ../Filters/SceneData/vtkCSLFVolume
     ../Filters/vtkCSLFCornellBoxSource
     ../Filters/vtkCSLFEnvironment
     ../Filters/vtkCSLFFieldCertifier
@@ -127,14 +128,15 @@ if (CSLF_ENABLE_SAMPLER)
     GatherDirections IncidentLight LatticeBuilder LatticeLayout LatticeProbe
     LatticeRefinement LatticeSum LayoutProgress MeshEdges OpenSides RadianceCache
     SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice)
-  cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayPacket)
+  cslf_add(Filters/PathTracing/Rays Embree HitFilter HitGeometry RayGrid RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Fingerprint LightReader MeshJoin MeshMaker PointSpacing RayLanes Scene SceneBlock SceneBuilder
+    Fingerprint LightReader MeshJoin MeshMaker PointSpacing Scene SceneBlock SceneBuilder
     SurfaceColors)
   cslf_add(Filters/PathTracing/Shapes Mesh RoundView TriangleGeometry Triangles Tube)
   cslf_add(Filters/PathTracing/Texels
     Arithmetic CenterSurfaces ChannelSum SamplePlaces StoppingRule TexelRenderer
     TexelSums)
+  cslf_add(Filters/PathTracing/Volumes PhaseFunction Volume VolumeReader VolumeSet)
   cslf_add(Filters/CubeMaps CubeMapFiles)
   # How well fields show their scenes.
   cslf_add(Filters/Certificate Certifier PixelBeams ShownPixels)
@@ -146,7 +148,7 @@ if (CSLF_ENABLE_SAMPLER)
     MaterialProblems SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/SceneImport
     ActorImporter ActorParts AMRSurface BlockAppearances CellKinds ClippedBlock
-    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars PointParts)
+    FaceSides GlyphImporter ImportedScene LightImporter MappedScalars PointParts VolumeImporter)
   cslf_add(Filters/SceneLook SurfaceColoring)
   cslf_add(Filters/Scenes Assembly Molecule Pipes ProceduralScene Streamlines Terrain Turbulence)
 endif ()

@@ -255,7 +255,10 @@ vtkMTimeType vtkCSLFPathTracer::GetMTime()
 
 int vtkCSLFPathTracer::GetUsedIntegrator()
 {
-  return this->Colors == Exact ? PathTracing : this->Integrator;
+  // The cache knows the light on surfaces, but not in volumes.
+  const cslf::Scene* scene = this->Internals->Scene.World.get();
+  const bool hasVolumes = scene && scene->GetVolumes();
+  return this->Colors == Exact || hasVolumes ? PathTracing : this->Integrator;
 }
 
 int vtkCSLFPathTracer::GetUsedMaximumDepth()
@@ -560,7 +563,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     {
       vtkErrorMacro(
         "No visible surface was found in the renderer: add a visible actor whose mapper "
-        "draws polygons, lines or points. "
+        "draws polygons, lines or points, or a volume. "
         << this->Internals->Scene.Warning);
       return false;
     }

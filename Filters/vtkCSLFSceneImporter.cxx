@@ -11,6 +11,7 @@
 #include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
 #include "SceneImport/cslfLightImporter.h"
+#include "SceneImport/cslfVolumeImporter.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
@@ -304,10 +305,10 @@ double GetTypicalScale(vtkPolyData* data)
 }
 
 /// One point, in the middle of all blocks. VTK's writers leave out blocks without points.
-vtkSmartPointer<vtkPoints> MakeMiddle(const std::vector<cslf::ImportedBlock>& blocks)
+vtkSmartPointer<vtkPoints> MakeMiddle(const cslf::ImportedScene& scene)
 {
-  vtkBoundingBox bounds;
-  for (const cslf::ImportedBlock& block : blocks)
+  vtkBoundingBox bounds = scene.VolumeBounds;
+  for (const cslf::ImportedBlock& block : scene.Blocks)
   {
     bounds.AddBounds(block.Data->GetBounds());
   }
@@ -324,15 +325,15 @@ vtkSmartPointer<vtkPoints> MakeMiddle(const std::vector<cslf::ImportedBlock>& bl
 
 /// Converts widths in pixels to widths in the world. Points get another radius if one is given, or
 /// none if it is negative.
-void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize, double pointRadius)
+void SetRadii(cslf::ImportedScene& scene, double pixelSize, double pointRadius)
 {
-  vtkBoundingBox box;
-  for (const cslf::ImportedBlock& block : blocks)
+  vtkBoundingBox box = scene.VolumeBounds;
+  for (const cslf::ImportedBlock& block : scene.Blocks)
   {
     box.AddBox(cslf::GetPlacedBounds(block.Data));
   }
   const double pixel = box.IsValid() ? pixelSize * box.GetDiagonalLength() : 0.0;
-  for (cslf::ImportedBlock& block : blocks)
+  for (cslf::ImportedBlock& block : scene.Blocks)
   {
     const double scale = GetTypicalScale(block.Data);
     const double radius = 0.5 * pixel / scale;
@@ -459,6 +460,11 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
     {
       time = std::max(time, cslf::GetImportTime(actor));
     }
+    auto* volume = vtkVolume::SafeDownCast(part);
+    if (volume && cslf::IsImportable(volume))
+    {
+      time = std::max(time, cslf::GetImportTime(volume));
+    }
   };
   vtkCollectionSimpleIterator cookie;
   renderer->GetViewProps()->InitTraversal(cookie);
@@ -508,6 +514,12 @@ int vtkCSLFSceneImporter::RequestData(
         scene.Meet(cslf::ImportLimit::Followers);
       }
       cslf::ImportActor(actor, matrix, scene);
+      return;
+    }
+    auto* volume = vtkVolume::SafeDownCast(part);
+    if (volume && cslf::IsImportable(volume))
+    {
+      cslf::ImportVolume(volume, matrix, scene);
     }
     else
     {
@@ -542,7 +554,7 @@ int vtkCSLFSceneImporter::RequestData(
     lights.AddTo(scene.Lights);
     cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
   }
-  SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
+  SetRadii(scene, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   unsigned int index = 0;
@@ -550,8 +562,12 @@ int vtkCSLFSceneImporter::RequestData(
   {
     output->SetBlock(index++, block.Data);
   }
+  for (const vtkSmartPointer<vtkDataSet>& volume : scene.Volumes)
+  {
+    output->SetBlock(index++, volume);
+  }
   vtkNew<vtkPolyData> lightData;
-  lightData->SetPoints(MakeMiddle(scene.Blocks));
+  lightData->SetPoints(MakeMiddle(scene));
   lightData->SetFieldData(scene.Lights->GetFieldData());
   output->SetBlock(index, lightData);
   if (!scene.Limits.empty())

@@ -19,7 +19,7 @@ namespace cslf
 /// The numbers for a path's vertex. Each vertex has its own set.
 enum class Dimension : std::uint32_t
 {
-  Pixel,       ///< the position in the texel, once per path
+  Pixel,       ///< the position in the texel, once per path; at later vertices, places in volumes
   Lobe,        ///< which part of the BSDF
   Direction,   ///< the direction of the BSDF's sample
   LocalLight,  ///< the choice of a light at a finite distance, and of its point

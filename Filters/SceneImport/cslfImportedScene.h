@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+#include <vtkBoundingBox.h>
+#include <vtkDataSet.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -61,6 +63,16 @@ enum class ImportLimit
   StickEnds,
   Diagonals,
   Coplanar,
+  // Volumes.
+  VolumeBlending,
+  VolumeGradients,
+  VolumeMasks,
+  VolumeCropping,
+  DependentComponents,
+  IndependentComponents,
+  ResampledVolumes,
+  VolumeShading,
+  VolumeSurfaces,
   // Lights.
   CubeMapEnvironments,
   EnvironmentImages,
@@ -117,8 +129,10 @@ struct ImportedBlock
 struct ImportedScene
 {
   std::vector<ImportedBlock> Blocks;
-  vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
-  bool HasExactColors = false;         ///< whether blocks get their own colours, without lights
+  std::vector<vtkSmartPointer<vtkDataSet>> Volumes; ///< with the arrays of vtkCSLFVolume
+  vtkBoundingBox VolumeBounds;                      ///< of the volumes, in the world
+  vtkNew<vtkMultiBlockDataSet> Lights;              ///< lights and environment, as field data
+  bool HasExactColors = false; ///< whether blocks get their own colours, without lights
   std::function<bool(const char* array)> KeepsArray; ///< whether blocks keep it; may be empty
   bool HasEnvironment = false;                       ///< whether an image lights it
   MetLimits Limits;                                  ///< parts that a renderer shows differently

@@ -225,7 +225,7 @@ std::string DescribeColors(vtkActor* actor)
 
 /// Imports what representations show: a view's renderer has decorations, too. Representations have
 /// actors of ParaView's class, or plain ones (of molecules and point Gaussians); decorations have
-/// other classes. Volumes and slices cannot be imported, and are named in a warning.
+/// other classes. Slices cannot be imported, and are named in a warning.
 class ViewImporter : public vtkCSLFSceneImporter
 {
 public:

@@ -6,8 +6,8 @@
  *
  * A source of the surfaces of all visible representations of a render view, with their colours and
  * materials, and of the view's lights in a last block: see vtkCSLFSceneImporter. It is a capture:
- * it does not change with the view until Capture is called. Representations without polygons
- * (volumes, light fields) are left out, and so are the view's decorations.
+ * it does not change with the view until Capture is called. Representations without surfaces or
+ * volumes (light fields) are left out, and so are the view's decorations.
  *
  * The view must have been rendered. On several ranks each captures what it draws.
  *

@@ -331,7 +331,7 @@ void TestMaterials()
   property->BackfaceCullingOn();
   property->EdgeVisibilityOn();
   CSLF_CHECK(importer.WarnsOf("edges of culled faces (visible from all sides)"));
-  CSLF_CHECK(importer.WarnsOf("props other than actors: vtkCubeAxesActor, vtk"));
+  CSLF_CHECK(importer.WarnsOf("props other than actors and volumes: vtkCubeAxesActor, vtk"));
   CSLF_CHECK(importer.WarnsOf("TextActor"));
   CSLF_CHECK(!importer.WarnsOf("vtkOpenGLActor"));
 }

@@ -4,7 +4,7 @@
 // Surfaces that are visible from only one side: in pictures, in shadows, as lights, as instances,
 // and in the radiance cache.
 #include "PathTracing/RadianceCache/cslfOpenSides.h"
-#include "PathTracing/Scene/cslfRayLanes.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

@@ -472,6 +472,10 @@ SurfaceError MeasureAll(const Scene& scene, const SeenPlaces& seen, const Scale&
 std::string FindGeometryError(const Scene& scene)
 {
   const ShapeCounts shapes = CountShapes(scene);
+  if (scene.GetVolumes())
+  {
+    return "it contains volumes";
+  }
   if (shapes.Opaque == 0 && shapes.Omitted > 0)
   {
     return "all surfaces are translucent, or visible from one side only";

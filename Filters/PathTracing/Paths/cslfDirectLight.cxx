@@ -4,10 +4,13 @@
 
 #include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "PathTracing/Volumes/cslfPhaseFunction.h"
 #include "RandomNumbers/cslfSampleStream.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "SIMD/cslfVectorize.h"
 #include "cslfSurfaceLanes.h"
+
+#include <glm/geometric.hpp>
 
 #include <cmath>
 
@@ -62,6 +65,19 @@ void Reflect(const ScatterLanes& points, int lane, const LightLanes& light,
     shadows.Rays.Origin.Set(
       lane, local.z < 0.0f ? surfaces.PassPosition.Get(lane) : surfaces.LeavePosition.Get(lane));
   }
+}
+
+/// A point in a medium.
+void ScatterMedium(const ScatterLanes& points, int lane, const LightLanes& light,
+  ReflectedLanes& reflected, ShadowLanes& shadows)
+{
+  const float phase = EvaluatePhase(
+    glm::dot(points.Paths.Get(lane), light.Direction.Get(lane)), points.Anisotropy[lane]);
+  const glm::vec3 part = phase * points.Surfaces.BaseColor.Get(lane);
+  reflected.Part.Set(lane, part);
+  reflected.Pdf[lane] = phase;
+  shadows.Rays.Active[lane] =
+    light.Pdf[lane] > 0.0f && part != glm::vec3(0.0f) ? points.Lit[lane] : 0;
 }
 
 /// Adds the arriving light, and combines the estimate with the BSDF's own samples, which never hit
@@ -141,6 +157,8 @@ std::uint64_t DirectLight::Arrive(
   ReflectLambertian(points, light, reflected, shadows);
   ForEachLane(points.Surfaces.Scattering,
     [&](int lane) { Reflect(points, lane, light, reflected, shadows); });
+  ForEachLane(
+    points.Media, [&](int lane) { ScatterMedium(points, lane, light, reflected, shadows); });
   const int count = Count(shadows.Rays.Active);
   if (count > 0)
   {

@@ -49,6 +49,7 @@ void PathBatch::Begin()
   this->Next.resize(this->Packets.size());
   this->Order.resize(this->Packets.size() * LaneCount);
   this->Radiances.assign(this->Size, glm::vec3(0.0f));
+  this->Coverages.assign(this->Size, 1.0f);
   Close(this->Packets, this->Size);
   for (int path = this->Size; this->AreSeen && path % LaneCount != 0; ++path)
   {

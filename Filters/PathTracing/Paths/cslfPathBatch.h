@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Scene/cslfRayLanes.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "RandomNumbers/cslfSampleStream.h"
 
@@ -103,12 +103,17 @@ public:
   /// The radiance along each path's first ray, after Follow.
   const glm::vec3& GetRadiance(int path) const { return this->Radiances[path]; }
 
+  /// The share of a path's first ray that something covers, after Follow: 1 unless it meets no
+  /// surface.
+  float GetCoverage(int path) const { return this->Coverages[path]; }
+
   ///@{
   /// For the functions that follow the paths: packets of the active paths, and their results.
   void Begin();
   int GetNumberOfPackets() const { return (this->ActiveCount + LaneCount - 1) / LaneCount; }
   PathPacket& GetPacket(int packet) { return this->Packets[packet]; }
   glm::vec3* GetRadiances() { return this->Radiances.data(); }
+  float* GetCoverages() { return this->Coverages.data(); }
   ///@}
 
   /// The hits of a packet's first rays, to be set if unknown.
@@ -126,6 +131,7 @@ private:
   bool AreSeen = false;       // whether first rays were traced before
   std::vector<HitLanes> Seen; // by packets of all paths
   std::vector<glm::vec3> Radiances;
+  std::vector<float> Coverages;
   std::vector<PathPacket> Packets;
   std::vector<PathPacket> Next;
   std::vector<int> Order; // the places of paths in the packets, as they are gathered again

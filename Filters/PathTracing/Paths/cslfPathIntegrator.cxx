@@ -5,6 +5,8 @@
 #include "PathTracing/Materials/cslfLobe.h"
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "PathTracing/Volumes/cslfPhaseFunction.h"
+#include "PathTracing/Volumes/cslfVolumeSet.h"
 #include "SIMD/cslfVectorize.h"
 #include "cslfDirectLight.h"
 #include "cslfPathBatch.h"
@@ -25,9 +27,14 @@ public:
 
   /// Evaluates the rays' hits and continues the paths. Adds the results to the radiances of the
   /// batch's paths. Returns the number of shadow rays.
-  std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances);
+  std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, PathBatch& batch);
 
 private:
+  void PassVolumes(PathPacket& paths, const HitLanes& hits, float* coverages);
+  void FindCollisions(const PathPacket& paths, const Lanes<float>& shifts,
+    const Lanes<float>& numbers, Lanes<float>& far);
+  std::uint64_t Scatter(PathPacket& paths);
+  void Continue(PathPacket& paths);
   void AddEnvironment(PathPacket& paths, const HitLanes& hits);
   void EndWhereKnown(PathPacket& paths, const HitLanes& hits);
   void AddEmission(const PathPacket& paths, const HitLanes& hits);
@@ -49,7 +56,14 @@ private:
   bool AreAveraged; // as in PathBatch
 
   // Of the packet.
-  Vec3Lanes Found; // the radiance that the step adds
+  VeilLanes Veils;                  // in front of the hits, if the scene has volumes
+  Vec3Lanes VeilWeight;             // of the light of these
+  std::uint32_t OverBackground = 0; // a bit for each ray to the eye that meets no surface
+  std::uint32_t Collided = 0;       // a bit for each path that is scattered by a volume
+  Collision Collisions[LaneCount];  // of these
+  Lanes<float> Opacities;           // the shares of the rays that collide
+  PathPacket Scattered;             // the paths from there on
+  Vec3Lanes Found;                  // the radiance that the step adds
   ScatterLanes Points;
   LaneMask Continues;    // whether paths may continue from Lambertian surfaces
   Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
@@ -174,10 +188,20 @@ PathStep::PathStep(const PathIntegrator& paths, const PathBatch& batch, int vert
 {
 }
 
-std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances)
+std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, PathBatch& batch)
 {
   std::uint64_t rays = 0;
-  this->AddEnvironment(paths, hits);
+  if (this->World.GetVolumes())
+  {
+    this->PassVolumes(paths, hits, batch.GetCoverages());
+    this->AddEnvironment(paths, hits);
+    AddWeighted(this->VeilWeight, this->Veils.Radiance, this->Found);
+    rays += this->Scatter(paths);
+  }
+  else
+  {
+    this->AddEnvironment(paths, hits);
+  }
   if (this->Stored && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
   {
     this->EndWhereKnown(paths, hits);
@@ -206,8 +230,163 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
       std::fill_n(paths.Rays.Active.Values, LaneCount, 0);
     }
   }
-  Deposit(this->Found, paths, radiances);
+  this->Continue(paths);
+  Deposit(this->Found, paths, batch.GetRadiances());
   return rays;
+}
+
+/// Attenuates what rays see by the volumes in front of it, and ends the paths that these hide or
+/// scatter.
+void PathStep::PassVolumes(PathPacket& paths, const HitLanes& hits, float* coverages)
+{
+  const VolumeSet& volumes = *this->World.GetVolumes();
+  Lanes<float> far;
+  this->OverBackground = 0; // a field shows these over any background
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    far[lane] = hits.IsValid(lane) ? hits.Distance[lane] : VolumeSet::Everywhere;
+    const bool isOver = this->Depth == 0 && !hits.IsValid(lane) &&
+      !this->Settings.ShowsEnvironment && paths.Rays.Active[lane] != 0;
+    this->OverBackground |= isOver ? 1u << lane : 0u;
+  }
+  Lanes<float> shifts;
+  Lanes<float> numbers;
+  paths.Streams.Get2D(this->Vertex, Dimension::Pixel, shifts, numbers);
+  this->Collided = 0;
+  std::fill_n(this->Opacities.Values, LaneCount, 0.0f);
+  if (volumes.IsAnyLit())
+  {
+    this->FindCollisions(paths, shifts, numbers, far);
+  }
+  volumes.Integrate(paths.Rays, far, shifts, this->Veils);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    if (paths.Rays.Active[lane] == 0)
+    {
+      this->VeilWeight.Set(lane, glm::vec3(0.0f));
+      continue;
+    }
+    const float transmittance = this->Veils.Transmittance[lane];
+    this->VeilWeight.Set(lane, paths.Beta.Get(lane));
+    paths.Beta.Set(lane, transmittance * paths.Beta.Get(lane));
+    const bool isOver = (this->OverBackground >> lane & 1u) != 0;
+    const bool isScattered = (this->Collided >> lane & 1u) != 0;
+    if (isOver)
+    {
+      coverages[paths.Path[lane]] = 1.0f - transmittance * (1.0f - this->Opacities[lane]);
+    }
+    paths.Rays.Active[lane] = isOver || isScattered || transmittance == 0.0f ? 0 : -1;
+  }
+}
+
+/// Finds out which rays volumes scatter, and where: there they end. Those of rays to the eye are
+/// distributed evenly.
+void PathStep::FindCollisions(const PathPacket& paths, const Lanes<float>& shifts,
+  const Lanes<float>& numbers, Lanes<float>& far)
+{
+  const VolumeSet& volumes = *this->World.GetVolumes();
+  if (this->Depth == 0)
+  {
+    volumes.FindOpacities(paths.Rays, far, shifts, this->Opacities);
+    // All rays over the background collide, and stand for their share. Where volumes shine as
+    // well, a part of the rays does, because what shines behind the collision counts, too.
+    const std::uint32_t forced = volumes.IsAnyUnlit() ? 0u : this->OverBackground;
+    RayLanes colliding = paths.Rays;
+    Lanes<float> places;
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const bool isForced = (forced >> lane & 1u) != 0;
+      places[lane] = (isForced ? this->Opacities[lane] : 1.0f) * numbers[lane];
+      const bool collides = places[lane] < this->Opacities[lane];
+      colliding.Active[lane] = collides ? colliding.Active[lane] : 0;
+      this->Opacities[lane] = isForced ? this->Opacities[lane] : collides ? 1.0f : 0.0f;
+    }
+    this->Collided = volumes.FindCollisions(colliding, far, shifts, places, this->Collisions);
+  }
+  else
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const std::uint64_t seed =
+        MixBits(MixBits(paths.Streams.Hash[lane], paths.Streams.Index[lane]), this->Vertex);
+      const bool isFound = paths.Rays.Active[lane] != 0 &&
+        volumes.FindCollision(paths.Rays.Get(lane), far[lane], seed, this->Collisions[lane]);
+      this->Collided |= isFound ? 1u << lane : 0u;
+    }
+  }
+  ForEachLane(this->Collided, [&](int lane) { far[lane] = this->Collisions[lane].Distance; });
+}
+
+/// Adds the light that volumes scatter at collisions, and chooses how these paths continue.
+std::uint64_t PathStep::Scatter(PathPacket& paths)
+{
+  if (this->Collided == 0)
+  {
+    return 0;
+  }
+  PathPacket& next = this->Scattered;
+  std::fill_n(next.Rays.Active.Values, LaneCount, 0);
+  std::fill_n(this->Points.Lit.Values, LaneCount, 0);
+  this->Points.Surfaces.Scattering = 0;
+  Lanes<float> x;
+  Lanes<float> y;
+  Lanes<float> roulette;
+  paths.Streams.Get2D(this->Vertex, Dimension::Direction, x, y);
+  paths.Streams.Get1D(this->Vertex, Dimension::Roulette, roulette);
+  const bool isLast = this->Depth >= this->Settings.MaximumDepth;
+  Vec3Lanes betas;
+  Clear(betas);
+  ForEachLane(isLast ? 0u : this->Collided,
+    [&](int lane)
+    {
+      const Collision& collision = this->Collisions[lane];
+      const Ray ray = paths.Rays.Get(lane);
+      const glm::vec3 position = ray.Origin + collision.Distance * ray.Direction;
+      this->Points.SetMedium(lane, position, ray.Direction, collision.Albedo, collision.Anisotropy);
+      this->Points.Lit[lane] = -1;
+      const bool isOver = (this->OverBackground >> lane & 1u) != 0;
+      const float share = isOver ? this->Opacities[lane] : 1.0f;
+      const glm::vec3 beta = share * paths.Beta.Get(lane);
+      betas.Set(lane, beta);
+      const glm::vec3 direction =
+        SamplePhase(ray.Direction, collision.Anisotropy, { x[lane], y[lane] });
+      next.Rays.Origin.Set(lane, position);
+      next.Rays.Direction.Set(lane, direction);
+      next.Pdf[lane] = EvaluatePhase(glm::dot(ray.Direction, direction), collision.Anisotropy);
+      const glm::vec3 weight = beta * collision.Albedo;
+      const float survival = this->AreAveraged || this->Depth >= RouletteDepth
+        ? GetSurvival(weight, paths.Compression[lane])
+        : 1.0f;
+      next.Beta.Set(lane, weight / survival);
+      next.Rays.Active[lane] = roulette[lane] < survival && weight != glm::vec3(0.0f) ? -1 : 0;
+    });
+  std::uint64_t rays = 0;
+  if (IsAny(this->Points.Lit) && this->Light.CanSample())
+  {
+    Vec3Lanes light;
+    Clear(light);
+    rays = this->Light.Sample(this->Points, paths.Streams, this->Vertex, light);
+    AddWeighted(betas, light, this->Found);
+  }
+  this->Points.Media = 0;
+  return rays;
+}
+
+/// Continues the paths that volumes have scattered, among those that surfaces have reflected.
+void PathStep::Continue(PathPacket& paths)
+{
+  ForEachLane(this->Collided,
+    [&](int lane)
+    {
+      const PathPacket& next = this->Scattered;
+      paths.Rays.Active[lane] = next.Rays.Active[lane];
+      paths.Rays.Origin.Set(lane, next.Rays.Origin.Get(lane));
+      paths.Rays.Direction.Set(lane, next.Rays.Direction.Get(lane));
+      paths.Beta.Set(lane, next.Beta.Get(lane));
+      paths.Pdf[lane] = next.Pdf[lane];
+      paths.Normal.Set(lane, glm::vec3(0.0f));
+      paths.Bin[lane] = GetRayBin(next.Rays.Origin.Get(lane), next.Rays.Direction.Get(lane));
+    });
 }
 
 void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
@@ -478,7 +657,7 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
         this->World.Intersect(packet.Rays, hits);
         rays += static_cast<std::uint64_t>(Count(packet.Rays.Active));
       }
-      rays += step.Advance(packet, hits, batch.GetRadiances());
+      rays += step.Advance(packet, hits, batch);
     }
     batch.Compact();
   }

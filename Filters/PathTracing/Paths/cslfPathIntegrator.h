@@ -60,6 +60,10 @@ struct PathSettings
   /// the same picture, except for reflections in mirrors and light that light sampling cannot find.
   bool LightSampling = true;
   bool BSDFSampling = true;
+
+  /// Whether rays to the eye that meet no surface see the environment behind volumes. Without
+  /// volumes, such rays are not followed.
+  bool ShowsEnvironment = false;
 };
 
 class VTKCSLF_EXPORT PathIntegrator

@@ -168,6 +168,25 @@ void SurfaceLanes::Set(int lane, const SurfaceHit& surface)
   this->Material[lane] = surface.Material;
 }
 
+void ScatterLanes::SetMedium(int lane, const glm::vec3& position, const glm::vec3& path,
+  const glm::vec3& albedo, float anisotropy)
+{
+  static const SurfaceMaterial material = []
+  {
+    SurfaceMaterial clear;
+    clear.Transmission = 1.0f; // receives light from all sides
+    return clear;
+  }();
+  this->Media |= 1u << lane;
+  this->Paths.Set(lane, path);
+  this->Anisotropy[lane] = anisotropy;
+  this->Surfaces.BaseColor.Set(lane, albedo);
+  this->Surfaces.Material[lane] = &material;
+  this->Surfaces.ShadingNormal.Set(lane, glm::vec3(0.0f, 0.0f, 1.0f));
+  this->Surfaces.LeavePosition.Set(lane, position);
+  this->Surfaces.PassPosition.Set(lane, position);
+}
+
 void FindSurfaces(
   const Scene& scene, const RayLanes& rays, const HitLanes& hits, SurfaceLanes& surfaces)
 {

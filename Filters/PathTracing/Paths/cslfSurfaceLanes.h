@@ -9,7 +9,8 @@
 
 #include "PathTracing/Materials/cslfBSDF.h"
 #include "PathTracing/Materials/cslfLobe.h"
-#include "PathTracing/Scene/cslfRayLanes.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
+#include "PathTracing/Scene/cslfScene.h"
 
 #include <optional>
 
@@ -56,8 +57,15 @@ struct ScatterLanes
 {
   SurfaceLanes Surfaces;
   std::optional<BSDF> Scattering[LaneCount]; ///< of surfaces that are not Lambertian
-  LaneMask Lit;                              ///< whether light is requested
+  std::uint32_t Media = 0;   ///< a bit for each lane that is a point in a medium, not on a surface
+  Vec3Lanes Paths;           ///< of these, the directions of the paths
+  Lanes<float> Anisotropy;   ///< of these
+  LaneMask Lit;              ///< whether light is requested
   Lobes LitLobes[LaneCount]; ///< of surfaces that are not Lambertian: the requested lobes
+
+  /// Makes a lane a point in a medium, which receives light from all sides.
+  void SetMedium(int lane, const glm::vec3& position, const glm::vec3& path,
+    const glm::vec3& albedo, float anisotropy);
 
   /// Makes the BSDF of a lane for light that leaves in a direction of the scene.
   const BSDF& MakeScattering(int lane, const glm::vec3& outgoing)

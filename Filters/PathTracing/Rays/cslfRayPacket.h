@@ -78,8 +78,11 @@ struct RayPacket
   /// that they do not depend on chance.
   float MinimumOpacity = 0.0f;
 
-  /// Whether Scene::Intersect met a surface that rays pass at random.
+  /// Whether Scene::Intersect met a surface that rays pass at random, or a volume.
   bool MeetsVeils = false;
+
+  /// Whether there may be a volume in front of a hit, or on a ray without one.
+  bool MeetsVolumes = false;
 
   Ray GetRay(int lane) const
   {

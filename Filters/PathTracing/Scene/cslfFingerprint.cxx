@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFingerprint.h"
 
+#include "PathTracing/Volumes/cslfVolume.h"
 #include "cslfScene.h"
 
 #include <vtkDataArray.h>
@@ -147,6 +148,24 @@ void Fingerprint::Add(const LightSet& lights)
   const EnvironmentImage& image = surroundings.GetImage();
   this->Add(std::vector<int>{ image.Width, image.Height });
   this->Add(image.Pixels);
+}
+
+void Fingerprint::Add(const VolumeData& volume)
+{
+  this->Add(std::vector<int>(volume.Size, volume.Size + 3));
+  const std::size_t nodes =
+    static_cast<std::size_t>(volume.Size[0]) * volume.Size[1] * volume.Size[2];
+  this->AddBytes(volume.Values, nodes * sizeof(float));
+  for (const std::vector<float>& axis : volume.Axes)
+  {
+    this->Add(axis);
+  }
+  this->Add(std::vector<glm::dvec3>{ volume.Low, volume.High });
+  this->Add(std::vector<glm::dmat4>{ volume.ToData, volume.Placement });
+  this->Add(volume.Planes);
+  this->Add(volume.Table);
+  this->Add(std::vector<double>{ volume.UnitDistance, volume.Range[0], volume.Range[1],
+    volume.Anisotropy, volume.IsNearest ? 1.0 : 0.0, volume.IsLit ? 1.0 : 0.0 });
 }
 
 std::string Fingerprint::Finish()

@@ -27,6 +27,7 @@ namespace cslf
 {
 struct LightSet;
 struct Mesh;
+struct VolumeData;
 
 /// The hashes of large arrays such as textures, whose memory many blocks share. It must not change.
 class ArrayHashes
@@ -58,6 +59,7 @@ public:
   void Add(const Mesh& mesh);
   void Add(const std::vector<SurfaceArray>& arrays);
   void Add(const LightSet& lights);
+  void Add(const VolumeData& volume);
 
   /// Numbers, after how many there are.
   template <typename Value>

@@ -5,11 +5,13 @@
 #include "PathTracing/Rays/cslfEmbree.h"
 #include "PathTracing/Rays/cslfHitFilter.h"
 #include "PathTracing/Rays/cslfHitGeometry.h"
+#include "PathTracing/Rays/cslfRayLanes.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "PathTracing/Volumes/cslfVolumeSet.h"
 #include "Pipeline/cslfPhase.h"
 #include "SIMD/cslfVectorize.h"
-#include "cslfRayLanes.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
@@ -322,11 +324,13 @@ struct Scene::Acceleration
   EmbreeScene World;
 };
 
-Scene::Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress)
+Scene::Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress,
+  std::shared_ptr<const VolumeSet> volumes)
   : Meshes(std::move(meshes))
   , Lights(std::move(lights))
   , Locals(PrepareMeshes(this->Meshes, this->Lights.Points))
   , Tree(std::make_unique<Acceleration>())
+  , Volumes(volumes && !volumes->IsEmpty() ? std::move(volumes) : nullptr)
 {
   std::size_t triangles = 0;
   std::size_t shapes = 0;
@@ -404,8 +408,14 @@ Box Scene::GetBounds() const
 {
   RTCBounds bounds;
   rtcGetSceneBounds(this->Tree->World.get(), &bounds);
-  return { { bounds.lower_x, bounds.lower_y, bounds.lower_z },
+  Box box{ { bounds.lower_x, bounds.lower_y, bounds.lower_z },
     { bounds.upper_x, bounds.upper_y, bounds.upper_z } };
+  if (this->Volumes)
+  {
+    const Box volumes = this->Volumes->GetBounds();
+    box = { glm::min(box.Low, volumes.Low), glm::max(box.High, volumes.High) };
+  }
+  return box;
 }
 
 std::uint32_t Scene::GetInstance(std::uint32_t mesh, std::uint32_t geometry) const
@@ -466,6 +476,8 @@ void Scene::Trace(RayPacket& packet, RTCRayHit16* veils) const
   EmbreeIntersect16(
     this->Tree->World.get(), this->Tree->PacketWidth, rule, true, valid, packet.Query);
   this->FindInstances(packet);
+  packet.MeetsVolumes = this->Volumes && this->Volumes->MayMeet(packet);
+  packet.MeetsVeils |= packet.MeetsVolumes;
 }
 
 void Scene::FindInstances(RayPacket& packet) const
@@ -535,6 +547,10 @@ void Scene::FindTransmittances(ShadowLanes& shadows) const
     {
       shadows.Transmittance[i] = 0.0f;
     }
+  }
+  if (this->Volumes)
+  {
+    this->Volumes->Attenuate(shadows.Rays, shadows.Distance, shadows.Transmittance);
   }
 }
 

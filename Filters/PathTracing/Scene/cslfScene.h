@@ -32,6 +32,7 @@ namespace cslf
 struct HitLanes;
 struct RayLanes;
 struct ShadowLanes;
+class VolumeSet;
 
 /// The lights other than emissive surfaces.
 struct LightSet
@@ -45,8 +46,9 @@ class VTKCSLF_EXPORT Scene
 {
 public:
   /// Builds the acceleration structure. Vertices must be finite. Throws Aborted if there is a
-  /// `progress` and it returns false.
-  Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress = nullptr);
+  /// `progress` and it returns false. `volumes` may be null or empty.
+  Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress = nullptr,
+    std::shared_ptr<const VolumeSet> volumes = nullptr);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -64,8 +66,8 @@ public:
   /// The first hits of incoherent rays.
   void Intersect(const RayLanes& rays, HitLanes& hits) const;
 
-  /// The share of each light that passes all surfaces on the way. The light's own surface does not
-  /// count. Partly opaque surfaces attenuate; glass and all other surfaces block.
+  /// The share of each light that passes all surfaces and volumes on the way. The light's own
+  /// surface does not count. Partly opaque surfaces attenuate; glass and all other surfaces block.
   void FindTransmittances(ShadowLanes& shadows) const;
 
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
@@ -84,7 +86,10 @@ public:
   /// with false.
   void SetNeutral(bool isNeutral);
 
-  /// The box around all surfaces; empty if there are none.
+  /// The volumes; null if there are none.
+  const VolumeSet* GetVolumes() const { return this->Volumes.get(); }
+
+  /// The box around all surfaces and volumes; empty if there are none.
   Box GetBounds() const;
 
   /// The number of a triangle among those of all meshes that can have a lattice.
@@ -115,6 +120,7 @@ private:
   LocalLights Locals;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
+  std::shared_ptr<const VolumeSet> Volumes;
   bool Small = false; // trace rays to the same octant together, wherever they start
 };
 }

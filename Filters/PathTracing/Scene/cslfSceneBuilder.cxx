@@ -4,6 +4,8 @@
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
+#include "PathTracing/Volumes/cslfVolumeReader.h"
+#include "PathTracing/Volumes/cslfVolumeSet.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfValidPolyData.h"
@@ -86,6 +88,7 @@ struct Omissions
   vtkIdType LitColors = 0;       ///< blocks whose colours were chosen for lights
   std::set<std::string> Unsound; ///< cells that would be read out of bounds
   std::set<std::string> DataTypes;
+  std::set<std::string> Volumes;
   MaterialProblems Materials;
 
   std::string ToText() const
@@ -130,6 +133,10 @@ private:
     for (const std::string& what : this->Unsound)
     {
       add(true, what);
+    }
+    for (const std::string& problem : this->Volumes)
+    {
+      add(true, "volume(s) " + problem);
     }
     for (const std::string& type : this->DataTypes)
     {
@@ -217,6 +224,10 @@ public:
     built.HasEnvironment = this->Surroundings.has_value();
     this->Lights.MoveTo(lights, built.Frame);
     std::vector<Mesh> meshes = this->MakeMeshes(built.Frame);
+    for (VolumeData& data : this->Volumes)
+    {
+      this->MadeVolumes.emplace_back(std::move(data), built.Frame);
+    }
     return this->Finish(std::move(built), std::move(meshes), std::move(lights));
   }
 
@@ -295,10 +306,36 @@ private:
       sound.AddRemoved(this->Omitted.Unsound);
       this->AddPolyData(sound.Data, root);
     }
+    else if (IsVolume(leaf))
+    {
+      this->AddVolume(leaf);
+    }
     else if (leaf)
     {
       this->Omitted.DataTypes.insert(leaf->GetClassName());
     }
+  }
+
+  void AddVolume(vtkDataObject* data)
+  {
+    std::string problem;
+    std::optional<VolumeData> volume = ReadVolume(data, problem);
+    if (!volume)
+    {
+      this->Omitted.Volumes.insert(problem);
+      return;
+    }
+    volume->IsLit = volume->IsLit && !this->Options.ExactColors;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec4 point((corner & 1) != 0 ? volume->High.x : volume->Low.x,
+        (corner & 2) != 0 ? volume->High.y : volume->Low.y,
+        (corner & 4) != 0 ? volume->High.z : volume->Low.z, 1.0);
+      const glm::dvec3 placed(volume->GetToWorld() * point);
+      this->Lower = glm::min(this->Lower, placed);
+      this->Upper = glm::max(this->Upper, placed);
+    }
+    this->Volumes.push_back(std::move(*volume));
   }
 
   void AddPolyData(vtkPolyData* data, vtkDataObject* root)
@@ -579,18 +616,20 @@ private:
   BuiltScene Finish(BuiltScene built, std::vector<Mesh> meshes, LightSet lights)
   {
     built.Warning = this->Omitted.ToText();
-    if (meshes.empty())
+    if (meshes.empty() && this->MadeVolumes.empty())
     {
       built.IsEmpty = true;
-      built.Error = "The scene has no triangles with an area, lines or vertices." +
+      built.Error = "The scene has no triangles with an area, lines, vertices or volumes." +
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
     }
-    if (std::all_of(meshes.begin(), meshes.end(), IsInvisible))
+    const auto isEmpty = [](const Volume& volume) { return volume.IsEmpty(); };
+    if (std::all_of(meshes.begin(), meshes.end(), IsInvisible) &&
+      std::all_of(this->MadeVolumes.begin(), this->MadeVolumes.end(), isEmpty))
     {
       built.Warning += (built.Warning.empty() ? "" : " ") +
-        std::string("Nothing of the scene is visible: all of its surfaces are transparent "
-                    "(opacity 0).");
+        std::string("Nothing of the scene is visible: all of its surfaces and volumes are "
+                    "transparent (opacity 0).");
     }
     else
     {
@@ -604,8 +643,8 @@ private:
       arrays.Add(mesh.ShapeArrays);
     }
     built.ArraysFingerprint = arrays.Finish();
-    built.World =
-      std::make_unique<Scene>(std::move(meshes), std::move(lights), this->Options.Building);
+    built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights),
+      this->Options.Building, std::make_shared<VolumeSet>(std::move(this->MadeVolumes)));
     built.Error = built.World->GetError();
     if (!built.Error.empty())
     {
@@ -631,6 +670,10 @@ private:
       this->Report(MeshesShare + (1.0 - MeshesShare) * number / static_cast<double>(meshes.size()));
     }
     identity.Add(lights);
+    for (const Volume& volume : this->MadeVolumes)
+    {
+      identity.Add(volume.GetData());
+    }
     return identity.Finish();
   }
 
@@ -651,6 +694,8 @@ private:
   ArrayHashes Hashes;                      // of the textures
   std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
   std::vector<SceneBlock> Blocks;
+  std::vector<VolumeData> Volumes;
+  std::vector<Volume> MadeVolumes;
   Omissions Omitted;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };
   glm::dvec3 Upper{ VTK_DOUBLE_MIN };

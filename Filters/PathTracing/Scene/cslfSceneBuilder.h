@@ -56,7 +56,7 @@ struct BuiltScene
 {
   std::unique_ptr<Scene> World; ///< null if the scene cannot be used
   SceneFrame Frame;
-  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
+  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of all shapes, in the world
   bool HasEnvironment = false;                         ///< whether an input contains it
   bool IsEmpty = false;                                ///< whether nothing is visible
   bool IsAborted = false;                              ///< whether a progress has ended the work
@@ -66,7 +66,7 @@ struct BuiltScene
   std::string Fingerprint;       ///< identifies the scene: a hash of everything visible
 };
 
-/// Builds the scene from polygonal data and composite data sets of polygonal data.
+/// Builds the scene from polygonal data and composite data sets of polygonal data and volumes.
 VTKCSLF_EXPORT BuiltScene BuildScene(
   const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
 

@@ -55,7 +55,7 @@ struct WrittenTexels
     int Number;         ///< in the block
     std::int64_t Index; ///< in the arrays
     int Samples;        ///< the number of samples whose mean it is, above 0
-    int Covered;        ///< the number of these that see something
+    float Covered;      ///< the number of these that see something
   };
 
   double Exposure = 1.0;

@@ -50,6 +50,14 @@ CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& 
   high = highs[0];
 }
 
+void FindCovered(const TexelSums& sums, int* covered)
+{
+  for (int texel = 0; texel < TexelSums::Size; ++texel)
+  {
+    covered[texel] = sums.Covered[texel] > 0.0f ? -1 : 0;
+  }
+}
+
 /// The fewest samples that have a variance.
 constexpr int MinimumForVariance = 2;
 
@@ -77,6 +85,21 @@ void ColorBounds::Add(
     ExtendBounds(green, inside, this->Low.y, this->High.y);
     ExtendBounds(blue, inside, this->Low.z, this->High.z);
   }
+}
+
+void ColorBounds::Add(const TexelSums& sums, const int* inside)
+{
+  alignas(64) int covered[TexelSums::Size];
+  FindCovered(sums, covered);
+  const PacketRadiance& radiance = sums.GetRadiance();
+  this->Add(radiance.Red, radiance.Green, radiance.Blue, covered, inside);
+}
+
+void ColorBounds::AddCoverage(const TexelSums& sums, const int* inside)
+{
+  alignas(64) int covered[TexelSums::Size];
+  FindCovered(sums, covered);
+  this->AddCoverage(covered, inside);
 }
 
 void ColorBounds::AddCoverage(const int* covered, const int* inside)
@@ -139,7 +162,7 @@ void StoppingRule::TakeSingle(
     own[texel] = lacks[texel] ? 0 : inside[texel];
   }
   ColorBounds all = expected;
-  all.AddCoverage(sums.Covered, inside);
+  all.AddCoverage(sums, inside);
   all.Add(sums, own);
   const bool areFollowed =
     std::any_of(sums.Paths, sums.Paths + TexelSums::Size, [](int n) { return n > 0; });
@@ -161,7 +184,8 @@ void StoppingRule::TakeSingle(
 void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
   const int inside[TexelSums::Size], TexelSums& sums) const
 {
-  if (expected.AreMixed() && this->IsNoisyOutline(0.5f, sums.Samples))
+  // Half of the samples of a texel may see a surface, and half of them none.
+  if (expected.AreMixed() && this->IsNoisyCoverage(0.25f, sums.Samples))
   {
     return;
   }
@@ -175,15 +199,16 @@ void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
   TakeByOthers(needs, lacks, inside, sums);
 }
 
-bool StoppingRule::IsNoisyOutline(float alpha, int samples) const
+bool StoppingRule::IsNoisyCoverage(float variance, int samples) const
 {
-  return alpha * (1.0f - alpha) > static_cast<float>(samples - 1) * this->Target * this->Target;
+  return variance > static_cast<float>(samples - 1) * this->Target * this->Target;
 }
 
 bool StoppingRule::IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const
 {
-  const float alpha = static_cast<float>(sums.Covered[texel]) / static_cast<float>(sums.Samples);
-  if (this->IsNoisyOutline(alpha, sums.Samples))
+  const float alpha = sums.Covered[texel] / static_cast<float>(sums.Samples);
+  const float partial = sums.Partial[texel] / static_cast<float>(sums.Samples);
+  if (this->IsNoisyCoverage(alpha * (1.0f - alpha) - partial, sums.Samples))
   {
     return true;
   }

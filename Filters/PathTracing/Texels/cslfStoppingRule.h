@@ -39,14 +39,13 @@ public:
   }
 
   /// Adds the only samples of the texels inside.
-  void Add(const TexelSums& sums, const int inside[RayPacket::Size])
-  {
-    const PacketRadiance& radiance = sums.GetRadiance();
-    this->Add(radiance.Red, radiance.Green, radiance.Blue, sums.Covered, inside);
-  }
+  void Add(const TexelSums& sums, const int inside[RayPacket::Size]);
 
   /// Adds only whether the rays inside hit a surface.
   void AddCoverage(const int covered[RayPacket::Size], const int inside[RayPacket::Size]);
+
+  /// The same of the only samples of the texels inside.
+  void AddCoverage(const TexelSums& sums, const int inside[RayPacket::Size]);
 
   /// The largest difference of a component, in the units of the curve.
   float GetRange(const DisplayCurve& display) const;
@@ -119,7 +118,7 @@ private:
   /// `needs`: the texels because of which others go on. `lacks`: those that go on themselves.
   static void TakeByOthers(const bool needs[TexelSums::Size], const bool lacks[TexelSums::Size],
     const int inside[TexelSums::Size], TexelSums& sums);
-  bool IsNoisyOutline(float alpha, int samples) const;
+  bool IsNoisyCoverage(float variance, int samples) const;
   bool IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const;
 
   DisplayCurve Display;

@@ -3,6 +3,7 @@
 #include "cslfTexelRenderer.h"
 
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "PathTracing/Volumes/cslfVolumeSet.h"
 
 #include "Pipeline/cslfParallelFor.h"
 #include "cslfCenterSurfaces.h"
@@ -52,6 +53,37 @@ int KeepInside(const int* inside, RayPacket& packet)
     rays -= packet.Active[lane];
   }
   return rays;
+}
+
+/// Keeps the hits nearest to the centres of texels, or the middles of what is seen of volumes.
+/// Returns the lanes that see anything.
+std::uint32_t KeepNearest(const PacketHits& hits, TexelSums& sums)
+{
+  const auto keep = [&sums](const PacketHits& seen)
+  {
+    sums.KeepNearest(seen);
+    std::uint32_t found = 0;
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      found |= seen.Rays.IsHit(lane) ? 1u << lane : 0u;
+    }
+    return found;
+  };
+  if (!hits.Rays.MeetsVolumes)
+  {
+    return keep(hits);
+  }
+  RayPacket middles = hits.Rays;
+  hits.World.GetVolumes()->FindMiddles(middles);
+  return keep({ hits.World, hits.Group, hits.Places, middles, hits.Scale });
+}
+
+/// The settings of paths for texels.
+PathSettings MakePathSettings(const RenderSettings& settings)
+{
+  PathSettings paths = settings.Paths;
+  paths.ShowsEnvironment = settings.ShowEnvironment;
+  return paths;
 }
 }
 
@@ -105,7 +137,7 @@ TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
   , Grids(std::move(grids))
   , Output(output)
   , NeedsNearest(TexelSums(output).NeedsNearest())
-  , Integrator(scene, settings.Paths, settings.Cache)
+  , Integrator(scene, MakePathSettings(settings), settings.Cache)
   , Known(scene, settings.Cache)
   , Bounds(scene.GetBounds())
   , Rule(DisplayCurve(settings.Exposure, settings.DisplayRange), settings.NoiseTarget)
@@ -357,13 +389,19 @@ void TexelRenderer::AddPacket(
   }
   if (block.LacksNearest)
   {
-    block.Sums.KeepNearest(hits);
+    KeepNearest(hits, block.Sums);
   }
 }
 
 bool TexelRenderer::LookUp(
   const RayPacket& packet, const int inside[], PacketRadiance& radiance, int covered[]) const
 {
+  if (packet.MeetsVolumes)
+  {
+    radiance = {};
+    std::fill_n(covered, RayPacket::Size, 0);
+    return false;
+  }
   bool isKnown = this->Known.Get(packet, radiance, covered);
   if (!isKnown)
   {
@@ -398,13 +436,24 @@ bool TexelRenderer::LookUp(
   return isKnown;
 }
 
+/// Whether the light of a ray that sees something is to be found by a path.
+bool TexelRenderer::MustFollow(const RayPacket& packet, int lane) const
+{
+  if (packet.IsHit(lane) || !packet.MeetsVolumes || !packet.Active[lane])
+  {
+    return packet.IsHit(lane);
+  }
+  return this->Settings.ShowEnvironment ||
+    this->World.GetVolumes()->MayMeet(packet.GetRay(lane), VolumeSet::Everywhere);
+}
+
 void TexelRenderer::Follow(const PacketHits& hits, const int covered[], const int own[],
   Block& block, PathQueue& queue) const
 {
   const RayPacket& packet = hits.Rays;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (packet.IsHit(lane) && !covered[lane])
+    if (!covered[lane] && this->MustFollow(packet, lane))
     {
       const int texel = hits.Group.GetTexel(lane);
       const auto sample =
@@ -467,7 +516,7 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   }
   if (this->NeedsNearest)
   {
-    block.Sums.KeepNearest(hits);
+    const std::uint32_t seen = KeepNearest(hits, block.Sums);
     if (packet.MeetsVeils)
     {
       block.Sums.KeepNearest({ this->World, all, places, veils, scale });
@@ -475,7 +524,7 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
     // If the ray to the centre sees nothing, the samples may see something.
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
-      block.LacksNearest |= block.Inside[lane] && !packet.IsHit(lane) && !veils.IsHit(lane);
+      block.LacksNearest |= block.Inside[lane] && (seen >> lane & 1u) == 0 && !veils.IsHit(lane);
     }
   }
   else

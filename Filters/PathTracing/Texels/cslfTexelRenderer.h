@@ -92,6 +92,7 @@ private:
     Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const;
   bool LookUp(
     const RayPacket& packet, const int inside[], PacketRadiance& radiance, int covered[]) const;
+  bool MustFollow(const RayPacket& packet, int lane) const;
   void Follow(const PacketHits& hits, const int covered[], const int own[], Block& block,
     PathQueue& queue) const;
   void FollowPaths(PathQueue& queue) const;

@@ -36,12 +36,12 @@ CSLF_VECTORIZE void FindNearest(const PacketHits& hits, float* offsets, int* nea
   }
 }
 
-CSLF_VECTORIZE void AddCovered(int* sums, const TexelGroup& group, const int* covered)
+CSLF_VECTORIZE void AddCovered(float* sums, const TexelGroup& group, const int* covered)
 {
-  alignas(64) int counts[TexelSums::Size];
+  alignas(64) float counts[TexelSums::Size];
   for (int lane = 0; lane < TexelSums::Size; ++lane)
   {
-    counts[lane] = -covered[lane];
+    counts[lane] = static_cast<float>(-covered[lane]);
   }
   ChannelSum::AddTo(sums, group, counts);
 }
@@ -113,7 +113,9 @@ void TexelSums::AddPath(int texel, const PathBatch& batch, int path, bool isOwn)
     this->Squares.Blue[texel] += radiance.z * radiance.z;
     ++this->Paths[texel];
   }
-  ++this->Covered[texel];
+  const float coverage = batch.GetCoverage(path);
+  this->Covered[texel] += coverage;
+  this->Partial[texel] += coverage * (1.0f - coverage);
   ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path, isOwn); });
 }
 
@@ -130,7 +132,7 @@ ColorSamples TexelSums::GetColorSamples(int texel) const
   const auto& color = std::get<ColorSum>(this->Channels);
   const int others = color.GetOtherCount(texel);
   const PacketRadiance& sum = color.GetOwn();
-  return { others == 0 ? this->Samples : this->Covered[texel] - others,
+  return { others == 0 ? this->Samples : static_cast<int>(this->Covered[texel]) - others,
     { sum.Red[texel], sum.Green[texel], sum.Blue[texel] },
     { this->Squares.Red[texel], this->Squares.Green[texel], this->Squares.Blue[texel] } };
 }

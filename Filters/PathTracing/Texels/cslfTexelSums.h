@@ -123,8 +123,8 @@ private:
   glm::dvec3 GetMean(const WrittenTexels::Texel& texel) const
   {
     const int i = texel.Number;
-    const int count = texel.Covered - this->TakenOtherCount[i];
-    const bool areOthers = count == 0 && texel.Covered > 0;
+    const double count = static_cast<double>(texel.Covered) - this->TakenOtherCount[i];
+    const bool areOthers = count <= 0.0 && texel.Covered > 0.0f;
     const PacketRadiance& sums = areOthers ? this->TakenOthers : this->TakenOwn;
     const glm::dvec3 sum(sums.Red[i], sums.Green[i], sums.Blue[i]);
     if (areOthers || this->TakenOtherCount[i] == 0)
@@ -168,7 +168,7 @@ public:
     for (const WrittenTexels::Texel& texel : texels)
     {
       const float depth =
-        texel.Covered > 0 ? std::clamp(this->Depth[texel.Number], 0.0f, 1.0f) : 1.0f;
+        texel.Covered > 0.0f ? std::clamp(this->Depth[texel.Number], 0.0f, 1.0f) : 1.0f;
       depths[texel.Index] = static_cast<unsigned short>(65535.0f * depth + 0.5f);
     }
   }
@@ -231,9 +231,12 @@ public:
   /// centre does.
   ColorSamples GetColorSamples(int texel) const;
 
-  alignas(64) int Covered[Size] = {}; ///< the number of samples that see something
-  alignas(64) int Paths[Size] = {};   ///< of those whose colour counts, those with followed paths
-  int Samples = 0;                    ///< of each texel
+  /// The number of samples that see something. Those that see volumes over the background count in
+  /// part, and Partial is the sum of c (1 - c) of these parts c.
+  alignas(64) float Covered[Size] = {};
+  alignas(64) float Partial[Size] = {};
+  alignas(64) int Paths[Size] = {}; ///< of those whose colour counts, those with followed paths
+  int Samples = 0;                  ///< of each texel
 
 private:
   /// Calls a function with the sums of each requested channel.
@@ -246,7 +249,7 @@ private:
   alignas(64) float NearestOffset[Size]; // squared, from the centre to the nearest hit
   int TakenCount = 0;                    // of texels
   int TakenSamples[Size] = {};           // 0 if the mean is not taken yet
-  int TakenCovered[Size];
+  float TakenCovered[Size];
 };
 }
 

@@ -8,7 +8,7 @@
 #define cslfRayLanes_h
 
 #include "SIMD/cslfLanes.h"
-#include "cslfScene.h"
+#include "cslfRayPacket.h"
 
 namespace cslf
 {
