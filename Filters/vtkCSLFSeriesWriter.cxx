@@ -25,6 +25,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
@@ -306,6 +307,13 @@ bool vtkCSLFSeriesWriter::FindSteps(std::vector<Step>& steps)
     return this->Fail("The input of the sampler has no time steps.");
   }
   const double* times = information->Get(key);
+  for (int i = 0; i < count; ++i)
+  {
+    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+    {
+      return this->Fail("The times of the input are not finite, or do not increase.");
+    }
+  }
   for (int i = std::max(0, this->TimeStepRange[0]); i < count && i <= this->TimeStepRange[1];
        i += std::min(this->TimeStepInterval, count))
   {

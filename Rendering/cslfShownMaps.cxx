@@ -355,7 +355,7 @@ const MapChooser::KnownArray* MapChooser::FindArray(const MapChoice& choice)
   {
     const SurfaceArray& array = points.Arrays[i];
     const std::optional<int> told = array.FindComponent(choice.Array);
-    if (!told)
+    if (!told || array.Name == TexturePlacesName)
     {
       continue;
     }

@@ -375,7 +375,7 @@ Result Run(Options options)
   }
   const FieldFile file = isScene
     ? BakePreview(options.Scene)
-    : OpenField(FieldInput{ options.Field, true, options.Scene.GetTime() });
+    : OpenField(FieldInput{ options.Field, true, options.Scene.GetTime(), true });
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   const FieldColors colors = ChooseColors(options, file, isScene);

@@ -211,6 +211,13 @@ void AddAllowMissing(CLI::App& command, bool& isAllowed)
 FieldFile OpenField(const FieldInput& input)
 {
   FieldFile file = OpenField(input.FileName, input.Time);
+  const auto* series = vtkCSLFSeriesReader::SafeDownCast(file.Reader);
+  const int times = series ? series->GetNumberOfTimeSteps() : 0;
+  if (times > 1 && !input.Time && !input.HasAllTimes)
+  {
+    AddWarning(
+      input.FileName + " has " + std::to_string(times) + " times, of which the first one is used.");
+  }
   if (!input.AllowMissing)
   {
     // Readers report files without any viewpoint.

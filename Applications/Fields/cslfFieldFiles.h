@@ -91,6 +91,7 @@ struct FieldInput
   std::string FileName;
   bool AllowMissing = false;
   std::optional<double> Time = std::nullopt;
+  bool HasAllTimes = false; ///< whether the command shows all times of a series
 
   /// Adds the file, as a positional argument of that name, and the options --time and
   /// --allow-missing.

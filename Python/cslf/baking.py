@@ -166,6 +166,9 @@ def write(sampler, name, crf, progress, look=None, steps=None):
     with Messages(encoder, *([] if writer is encoder else [writer])) as messages:
         with Progress(encoder, progress, "Writing"):
             is_written = writer.Write()
+        problem = getattr(getattr(look, "source", None), "problem", None)
+        if problem:
+            raise problem
         # Settings that cannot be coded.
         kind = ValueError if encoder.GetErrorCode() == USER_ERROR else Error
         messages.require(is_written, f"{name} was not written.", kind)

@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import warnings
 from xml.etree import ElementTree
 
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet,
@@ -21,7 +22,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 from . import vtkCSLF
-from .messages import Error, Messages, raise_error
+from .messages import Error, Messages, find_caller, raise_error
 
 READERS = {".obj": vtkOBJReader, ".ply": vtkPLYReader, ".stl": vtkSTLReader,
            ".vtk": vtkGenericDataObjectReader}
@@ -75,15 +76,22 @@ def find_steps(name):
     """The files at each time of a collection or a series: pairs of the time and their names, in the
     order of the times. Empty for other files."""
     steps = {}
+
+    def add(time, file):
+        if not math.isfinite(float(time)):
+            raise ValueError("a time that is not finite")
+        steps.setdefault(float(time), []).append(file)
+
     try:
         if pathlib.PurePath(name).suffix.lower() == ".pvd":
             for entry in ElementTree.parse(name).iter("DataSet"):
-                steps.setdefault(float(entry.get("timestep", 0)), []).append(entry.get("file", ""))
+                add(entry.get("timestep", 0), entry.get("file", ""))
         elif is_series(name):
             with open(name, encoding="utf-8") as file:
                 for number, entry in enumerate(json.load(file)["files"]):
-                    steps.setdefault(float(entry.get("time", number)), []).append(entry["name"])
-    except (ElementTree.ParseError, ValueError, KeyError, TypeError, AttributeError) as error:
+                    add(entry.get("time", number), entry["name"])
+    except (ElementTree.ParseError, ValueError, KeyError, TypeError, AttributeError,
+            RecursionError) as error:
         raise Error(f"Cannot read {name}: it is not an index of files.") from error
     folder = os.path.dirname(name)
     return [(time, [os.path.join(folder, file) for file in steps[time]]) for time in sorted(steps)]
@@ -185,6 +193,9 @@ def connect(scene, sampler, look, has_steps=False):
             sampler.SetInputConnection(source.GetOutputPort())
             return False
         is_index = os.path.exists(name) and (name.lower().endswith(".pvd") or is_series(name))
+        if is_index and not has_steps and len(find_steps(name)) > 1:
+            warnings.warn(f"{name} has {len(find_steps(name))} times, of which the first one is "
+                          "baked: time_steps bakes others.", stacklevel=find_caller())
         scene = StepSource(name) if has_steps and is_index else read(name)
     if isinstance(scene, vtkAlgorithm):
         look.source = scene  # which its port does not keep

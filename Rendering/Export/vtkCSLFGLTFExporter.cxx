@@ -725,7 +725,8 @@ private:
     return this->AddTexture(isJPEG ? "image/jpeg" : "image/png",
       isJPEG ? std::string(shown.GetEncoded().begin(), shown.GetEncoded().end()) : ToPNG(shown),
       { { "magFilter", layout.IsSmooth ? LinearFilter : NearestFilter },
-        { "minFilter", MipmapFilter }, { "wrapS", getWrap(0) }, { "wrapT", getWrap(1) } });
+        { "minFilter", layout.IsSmooth ? MipmapFilter : NearestFilter }, { "wrapS", getWrap(0) },
+        { "wrapT", getWrap(1) } });
   }
 
   std::size_t AddTexture(const char* type, const std::string& bytes, const JSON& sampler)

@@ -40,6 +40,9 @@ constexpr double RangeStep = 1e-3;
 constexpr double ColorStep = 0.5 / 255.0;
 ///@}
 
+/// The most pixels of all images, so that a file cannot ask for much memory.
+constexpr std::size_t MaximumPixels = std::size_t(1) << 27;
+
 /// The bytes of a pixel.
 constexpr std::size_t Channels = 4;
 
@@ -176,12 +179,16 @@ MapCodes MapCodes::Read(const nlohmann::json& header)
 {
   MapCodes codes;
   const nlohmann::json& maps = header.at(MapsKey);
+  std::size_t pixels = 0;
   RequireSound(maps.is_array() && !maps.empty() && maps.size() <= MaximumMaps);
   for (const nlohmann::json& map : maps)
   {
     codes.Maps.push_back(ReadColorMap(map.dump()));
     if (codes.Maps.back().IsImage())
     {
+      const MapImage::Layout& layout = codes.Maps.back().Layout;
+      pixels += std::size_t(layout.Width) * layout.Height;
+      RequireSound(pixels <= MaximumPixels);
       codes.Scales.emplace_back();
       continue;
     }

@@ -476,6 +476,10 @@ std::string FindGeometryError(const Scene& scene)
   {
     return "it contains volumes";
   }
+  if (scene.GetMeshes().empty())
+  {
+    return "it has no surfaces";
+  }
   if (shapes.Opaque == 0 && shapes.Omitted > 0)
   {
     return "all surfaces are translucent, or visible from one side only";

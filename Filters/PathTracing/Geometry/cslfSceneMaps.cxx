@@ -27,8 +27,14 @@ constexpr double MaximumPlaceError = 0.005;
 /// The error of places on images, in texels of the field.
 constexpr float ImageTolerance = 0.1f;
 
-/// The pixels of an image along a texel of the field, on average over surfaces.
+/// The pixels of an image along a texel of the field: at least so many, but for this share of the
+/// surface. Images are made finer than textures at most so many times, and have about so many
+/// pixels along an edge if that is not known.
 constexpr double PixelsOfTexel = 4.0;
+constexpr double RestShare = 0.1;
+constexpr double SmallShare = 0.005;
+constexpr double MaximumGrowth = 16.0;
+constexpr double UnknownPixels = 256.0;
 
 /// Places on images are multiples of a step, of which a texel of the field has about so many, and a
 /// pixel at least and at most so many.
@@ -36,39 +42,81 @@ constexpr double StepsOfTexel = 32.0;
 constexpr double MinimumPixelSteps = 16.0;
 constexpr double MaximumPixelSteps = 4096.0;
 
+/// The farthest place, in steps.
+constexpr double MaximumPlace = 1 << 24;
+
 /// The most pixels along an edge.
 constexpr double MaximumPixels = 8192.0;
 
 /// More maps tell no colours: files number them by a byte.
 constexpr std::size_t MaximumMaps = 254;
 
-/// What is known of the meshes with one texture.
+/// The meshes with one texture, and how it lies on them.
 struct ImageUse
 {
+  /// Of a triangle: the texels of the field along a pixel of the texture, in x and y.
+  struct Sample
+  {
+    glm::dvec2 Texels;
+    double Area;
+  };
+
   std::vector<std::size_t> Meshes;
   glm::dvec2 Low{ HUGE_VAL }; ///< of their texture coordinates
   glm::dvec2 High{ -HUGE_VAL };
-  double Area = 0.0;   ///< in texels
-  double Pixels = 0.0; ///< on the image
+  std::vector<Sample> Samples;
+
+  /// The texels along a pixel that no more than a share of the area exceeds; 0 if none is known.
+  double FindTexels(int axis, double share)
+  {
+    std::sort(this->Samples.begin(), this->Samples.end(),
+      [axis](const Sample& one, const Sample& other)
+      { return one.Texels[axis] > other.Texels[axis]; });
+    double rest = 0.0;
+    for (const Sample& sample : this->Samples)
+    {
+      rest += sample.Area;
+    }
+    rest *= share;
+    for (const Sample& sample : this->Samples)
+    {
+      rest -= sample.Area;
+      if (rest <= 0.0)
+      {
+        return sample.Texels[axis];
+      }
+    }
+    return 0.0;
+  }
 };
 
 void AddUse(const Mesh& mesh, std::size_t number, float texel, ImageUse& use)
 {
   const TextureImage& image = mesh.Textures.BaseColor->GetImage();
   const float scale = mesh.Instances.empty() ? 1.0f : FindLargestScale(mesh);
-  const double texels = double(scale) * scale / (double(texel) * texel);
+  const double texels = double(scale) / texel;
   use.Meshes.push_back(number);
   for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
   {
     const glm::uvec3& corners = mesh.Triangles[i];
-    const glm::dvec2 a(mesh.TexCoords[corners.x]);
-    const glm::dvec2 b(mesh.TexCoords[corners.y]);
-    const glm::dvec2 c(mesh.TexCoords[corners.z]);
-    use.Low = glm::min(glm::min(use.Low, a), glm::min(b, c));
-    use.High = glm::max(glm::max(use.High, a), glm::max(b, c));
-    use.Area += texels * mesh.GetArea(i);
-    use.Pixels += 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) *
-      image.Width * image.Height;
+    const glm::dvec2 first(mesh.TexCoords[corners.x]);
+    const glm::dvec2 u = glm::dvec2(mesh.TexCoords[corners.y]) - first;
+    const glm::dvec2 v = glm::dvec2(mesh.TexCoords[corners.z]) - first;
+    const glm::dvec3 start(mesh.Vertices[corners.x]);
+    const glm::dvec3 one = glm::dvec3(mesh.Vertices[corners.y]) - start;
+    const glm::dvec3 other = glm::dvec3(mesh.Vertices[corners.z]) - start;
+    for (const glm::dvec2& place : { first, first + u, first + v })
+    {
+      use.Low = glm::min(use.Low, place);
+      use.High = glm::max(use.High, place);
+    }
+    const double area = u.x * v.y - u.y * v.x;
+    const glm::dvec2 lengths(glm::length((v.y * one - u.y * other) / (area * image.Width)),
+      glm::length((u.x * other - v.x * one) / (area * image.Height)));
+    if (std::isfinite(lengths.x + lengths.y))
+    {
+      use.Samples.push_back({ texels * lengths, double(mesh.GetArea(i)) });
+    }
   }
 }
 
@@ -80,20 +128,27 @@ struct Extent
   bool Repeats = false;
 };
 
-Extent FindExtent(double low, double high, int pixels, TextureWrap wrap)
+/// With a margin beside what is shown.
+Extent FindExtent(double low, double high, int pixels, TextureWrap wrap, double margin)
 {
   const bool isCyclic = wrap == TextureWrap::Repeat || wrap == TextureWrap::Mirror;
   const double period = wrap == TextureWrap::Mirror ? 2.0 : 1.0;
   if (isCyclic && high - low > period)
   {
-    return { 0.0, period * pixels, true };
+    return { period * std::floor(low / period) * pixels, period * pixels, true };
   }
   // Beyond an edge that goes on, or a border, all pixels are alike.
-  const double first = std::floor(low * pixels) - 1.0;
-  const double last = std::ceil(high * pixels) + 1.0;
-  const double begin = isCyclic ? first : std::clamp(first, -1.0, double(pixels));
-  const double end = isCyclic ? last : std::clamp(last, begin + 1.0, pixels + 1.0);
+  const double first = std::floor(low * pixels) - margin;
+  const double last = std::ceil(high * pixels) + margin;
+  const double begin = isCyclic ? first : std::clamp(first, -margin, double(pixels));
+  const double end = isCyclic ? last : std::clamp(last, begin + 1.0, pixels + margin);
   return { begin, end - begin, false };
+}
+
+/// Whether an image would have to become coarser.
+bool IsReduced(const Extent extents[2], const MapImage::Layout& layout)
+{
+  return layout.Width < extents[0].Size || layout.Height < extents[1].Size;
 }
 }
 
@@ -149,56 +204,73 @@ void SceneMaps::AddImages(const std::vector<Mesh>& meshes, float texel, const Pr
   for (std::size_t i = 0; i < uses.size() && this->Maps.size() < MaximumMaps; ++i)
   {
     OrAbort(progress)(static_cast<double>(i) / static_cast<double>(uses.size()));
-    const auto& [texture, use] = uses[i];
+    auto& [texture, use] = uses[i];
     const TextureImage& image = texture->GetImage();
     const glm::ivec2 pixels(image.Width, image.Height);
+    // Displayed values that are interpolated differ from linear ones, unless pixels are fine.
+    const bool isDisplayed = image.DisplayedWhite.x > 0.0f && image.Interpolate;
+    Frame frame;
+    glm::dvec2 step(1.0); // the size of a pixel of the result
+    glm::dvec2 origin(0.0);
     Extent extents[2];
+    MapImage::Layout layout;
+    double fewest = HUGE_VAL; // pixels of a texel
+    double most = 0.0;
+    double farthest = 0.0;
     for (int axis = 0; axis < 2; ++axis)
     {
-      extents[axis] = FindExtent(use.Low[axis], use.High[axis], pixels[axis], image.Wraps[axis]);
+      const double texels = use.FindTexels(axis, RestShare);
+      const double wanted = texels > 0.0 ? PixelsOfTexel * texels : UnknownPixels / pixels[axis];
+      double scale = std::min(wanted, isDisplayed ? MaximumGrowth : 1.0);
+      const double margin = std::ceil(1.0 / scale) + 1.0;
+      extents[axis] =
+        FindExtent(use.Low[axis], use.High[axis], pixels[axis], image.Wraps[axis], margin);
+      const Extent& extent = extents[axis];
+      scale = std::min(scale, MaximumPixels / extent.Size);
+      const int size =
+        std::max(1, static_cast<int>(std::lround(std::min(scale * extent.Size, MaximumPixels))));
+      (axis == 0 ? layout.Width : layout.Height) = size;
+      layout.Repeats[axis] = extent.Repeats;
+      step[axis] = extent.Size / size;
+      origin[axis] = extent.First;
+      frame.Origin[axis] = static_cast<float>(extent.First / pixels[axis]);
+      frame.Scale[axis] = static_cast<float>(pixels[axis] / step[axis]);
+      const double densest = use.FindTexels(axis, 1.0 - SmallShare);
+      fewest = std::min(fewest, texels > 0.0 ? 1.0 / (texels * step[axis]) : PixelsOfTexel);
+      most = std::max(most, densest > 0.0 ? 1.0 / (densest * step[axis]) : 0.0);
+      farthest =
+        std::max({ farthest, std::abs(use.Low[axis] - frame.Origin[axis]) * frame.Scale[axis],
+          std::abs(use.High[axis] - frame.Origin[axis]) * frame.Scale[axis] });
     }
-    if (!std::isfinite(use.Low.x + use.Low.y + use.High.x + use.High.y))
+    layout.Steps = static_cast<int>(std::clamp(
+      std::ceil(StepsOfTexel / std::max(fewest, 1e-9)), MinimumPixelSteps, MaximumPixelSteps));
+    layout.IsSmooth = image.Interpolate || IsReduced(extents, layout);
+    // Floats could not tell such places.
+    if (!(farthest * layout.Steps < MaximumPlace))
     {
       continue;
     }
-    double scale = use.Pixels > 0.0 ? PixelsOfTexel * std::sqrt(use.Area / use.Pixels) : 1.0;
-    scale =
-      std::min({ scale, 1.0, MaximumPixels / extents[0].Size, MaximumPixels / extents[1].Size });
-    Frame frame;
-    glm::dvec2 step(1.0); // the size of a pixel of the result
-    MapImage::Layout layout;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const int size = std::max(1, int(std::lround(scale * extents[axis].Size)));
-      (axis == 0 ? layout.Width : layout.Height) = size;
-      layout.Repeats[axis] = extents[axis].Repeats;
-      step[axis] = extents[axis].Size / size;
-      frame.Origin[axis] = static_cast<float>(extents[axis].First / pixels[axis]);
-      frame.Scale[axis] = static_cast<float>(pixels[axis] / step[axis]);
-    }
-    const double pixelsOfTexel = scale * std::sqrt(use.Pixels / std::max(use.Area, 1e-9));
-    layout.Steps =
-      static_cast<int>(std::clamp(std::ceil(StepsOfTexel / std::max(pixelsOfTexel, 1e-9)),
-        MinimumPixelSteps, MaximumPixelSteps));
-    layout.IsSmooth = image.Interpolate || scale < 1.0;
-    const glm::dvec2 origin(extents[0].First, extents[1].First);
-    // The mean of a pixel's points, or its middle if it has the size of the texture's.
-    const int samples = static_cast<int>(std::ceil(std::max(step.x, step.y) - 1e-6));
-    const auto getColor = [&](const glm::dvec2& place)
+    // The mean of a pixel's points, or its middle if it is as fine as the texture.
+    const glm::ivec2 samples(glm::max(glm::ceil(step - 0.05), 1.0));
+    const auto getColor = [&, texture = texture](const glm::dvec2& place)
     {
       glm::vec3 sum(0.0f);
-      for (int k = 0; k < samples * samples; ++k)
+      for (int y = 0; y < samples.y; ++y)
       {
-        const glm::dvec2 offset =
-          (glm::dvec2(k % samples, k / samples) + 0.5) / double(samples) - 0.5;
-        const glm::dvec2 pixel = origin + step * (place + offset);
-        sum += glm::vec3(texture->Get(glm::vec2(pixel / glm::dvec2(pixels))));
+        for (int x = 0; x < samples.x; ++x)
+        {
+          const glm::dvec2 offset = (glm::dvec2(x, y) + 0.5) / glm::dvec2(samples) - 0.5;
+          const glm::dvec2 pixel = origin + step * (place + offset);
+          sum += glm::vec3(texture->Get(glm::vec2(pixel / glm::dvec2(pixels))));
+        }
       }
-      return sum / static_cast<float>(samples * samples);
+      return sum / static_cast<float>(samples.x * samples.y);
     };
     this->Maps.push_back(MakeImageMap(MapImage::Make(layout, getColor)));
     this->Frames.push_back(frame);
-    this->Tolerances.push_back(std::max(static_cast<float>(ImageTolerance * pixelsOfTexel), 1e-3f));
+    this->Tolerances.push_back(std::max(static_cast<float>(ImageTolerance * fewest), 1e-3f));
+    this->PixelsOfTexels.resize(this->Maps.size(), 0.0f);
+    this->PixelsOfTexels.back() = static_cast<float>(most);
     for (const std::size_t mesh : use.Meshes)
     {
       this->Numbers[mesh] = static_cast<std::uint8_t>(this->Maps.size());
@@ -216,11 +288,6 @@ glm::vec2 SceneMaps::GetPlace(
   const Frame& frame =
     this->Frames[this->Numbers[static_cast<std::size_t>(&mesh - this->First)] - 1];
   return (mesh.Interpolate(mesh.TexCoords, point) - frame.Origin) * frame.Scale;
-}
-
-float SceneMaps::GetPixelsOfTexel(std::uint8_t number) const
-{
-  return this->GetTolerance(number) / ImageTolerance;
 }
 
 glm::vec3 SceneMaps::GetFactor(const Mesh& mesh) const

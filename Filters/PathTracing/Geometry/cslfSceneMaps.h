@@ -49,9 +49,9 @@ public:
   float GetTolerance(std::uint8_t number) const { return this->Tolerances[number - 1]; }
 
   ///@{
-  /// Whether a map is an image, and its pixels along a texel of the field.
+  /// Whether a map is an image, and the most of its pixels along a texel of the field.
   bool IsImage(std::uint8_t number) const { return this->Maps[number - 1].IsImage(); }
-  float GetPixelsOfTexel(std::uint8_t number) const;
+  float GetPixelsOfTexel(std::uint8_t number) const { return this->PixelsOfTexels[number - 1]; }
   ///@}
 
   std::vector<ColorMap> TakeMaps() { return std::move(this->Maps); }
@@ -71,6 +71,7 @@ private:
   std::vector<std::uint8_t> Numbers; // of the meshes
   std::vector<float> Tolerances;     // of the maps
   std::vector<Frame> Frames;         // of the maps; used by images
+  std::vector<float> PixelsOfTexels; // likewise
 };
 }
 

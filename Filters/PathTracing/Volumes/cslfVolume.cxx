@@ -28,6 +28,10 @@ constexpr int BrickSide = 8;
 // this one lets 1e-8 of the light through.
 constexpr double MaximumOpacity = 1.0 - 1e-8;
 
+// The largest optical depth over the longest distance of nodes of a volume that scatters light: so
+// opaque media need no more collisions than that. Less than 1e-13 of the light passes one.
+constexpr double MaximumCellDepth = 32.0;
+
 // A step along a ray, in the distance of nodes. The first one has a random length.
 constexpr float StepOfNodes = 1.0f;
 
@@ -348,21 +352,31 @@ Volume::Volume(VolumeData data, const SceneFrame& frame)
   this->MakeBricks();
   this->FindBox();
 
-  // The smallest distance of nodes, on average along each axis.
-  const glm::dmat3 linear(this->Data.GetToWorld());
-  double smallest = std::numeric_limits<double>::max();
+  const glm::dvec3 distances = this->FindDistances(this->Data.GetToWorld());
+  const double smallest = std::min({ distances.x, distances.y, distances.z });
+  this->StepLength = static_cast<float>(StepOfNodes * smallest / frame.Radius);
+}
+
+// Those of nodes, on average along each axis, after a transformation of grid space.
+glm::dvec3 Volume::FindDistances(const glm::dmat4& matrix) const
+{
+  glm::dvec3 distances;
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<float>& nodes = this->Data.Axes[axis];
     const double spacing =
       nodes.empty() ? 1.0 : double(nodes.back() - nodes.front()) / double(nodes.size() - 1);
-    smallest = std::min(smallest, spacing * glm::length(linear[axis]));
+    distances[axis] = spacing * glm::length(glm::dvec3(matrix[axis]));
   }
-  this->StepLength = static_cast<float>(StepOfNodes * smallest / frame.Radius);
+  return distances;
 }
 
 void Volume::MakeTable()
 {
+  const glm::dvec3 distances = this->FindDistances(this->Data.ToData);
+  const double most = this->Data.IsLit
+    ? MaximumCellDepth / std::max({ distances.x, distances.y, distances.z })
+    : std::numeric_limits<double>::infinity();
   const std::vector<glm::vec4>& table = this->Data.Table;
   const double entries = static_cast<double>(table.size() - 1);
   for (int i = 0; i < TableSize; ++i)
@@ -372,8 +386,8 @@ void Volume::MakeTable()
     const auto share = static_cast<float>(place - static_cast<double>(low));
     const glm::vec4 entry = glm::clamp(glm::mix(table[low], table[low + 1], share), 0.0f, 1.0f);
     const double opacity = std::min<double>(entry.w, MaximumOpacity);
-    this->Table.emplace_back(
-      glm::vec3(entry), static_cast<float>(-std::log1p(-opacity) / this->Data.UnitDistance));
+    const double extinction = -std::log1p(-opacity) / this->Data.UnitDistance;
+    this->Table.emplace_back(glm::vec3(entry), static_cast<float>(std::min(extinction, most)));
   }
   this->Table.emplace_back(0.0f);
   const float range = this->Data.Range[1] - this->Data.Range[0];

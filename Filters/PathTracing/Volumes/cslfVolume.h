@@ -126,6 +126,7 @@ private:
   friend struct VolumeKernel;
 
   glm::vec3 ToGrid(const glm::vec3& point) const;
+  glm::dvec3 FindDistances(const glm::dmat4& matrix) const;
   void MakeTable();
   void MakeBricks();
   void FindBox();

@@ -70,7 +70,9 @@ vtkDataArray* FindScalars(vtkDataSet* data, bool& ofCells)
 vtkUnsignedCharArray* FindHidden(vtkDataSet* data, bool ofCells, unsigned char& bit)
 {
   bit = ofCells ? vtkDataSetAttributes::HIDDENCELL : vtkDataSetAttributes::HIDDENPOINT;
-  return ofCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  vtkUnsignedCharArray* array = ofCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const vtkIdType count = ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  return array && array->GetNumberOfValues() == count ? array : nullptr;
 }
 
 /// Takes floats as they are, and converts others.
@@ -116,17 +118,22 @@ void PlaceImage(vtkImageData* image, bool ofCells, VolumeData& volume)
   volume.ToData = ToMatrix(image->GetIndexToPhysicalMatrix()->GetData()) * toIndex;
 }
 
-/// A grid whose axes have coordinates. False if these do not increase.
+/// A grid whose axes have coordinates. False if these do not increase, or are not as many as nodes.
 bool PlaceRectilinear(vtkRectilinearGrid* grid, bool ofCells, VolumeData& volume)
 {
   vtkDataArray* arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
     grid->GetZCoordinates() };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const vtkIdType count = arrays[axis]->GetNumberOfTuples();
+    const vtkIdType count = arrays[axis] ? arrays[axis]->GetNumberOfTuples() : 0;
+    if (count < 2 || count != grid->GetDimensions()[axis] ||
+      arrays[axis]->GetNumberOfComponents() != 1)
+    {
+      return false;
+    }
     // Near the origin, so that floats hold them.
-    const double first = arrays[axis]->GetTuple1(0);
-    const auto get = [&](vtkIdType i) { return arrays[axis]->GetTuple1(i) - first; };
+    const double first = arrays[axis]->GetComponent(0, 0);
+    const auto get = [&](vtkIdType i) { return arrays[axis]->GetComponent(i, 0) - first; };
     std::vector<float>& nodes = volume.Axes[axis];
     for (vtkIdType i = ofCells ? 1 : 0; i < count; ++i)
     {
@@ -216,12 +223,13 @@ std::optional<VolumeData> ReadVolume(vtkDataObject* object, std::string& problem
   VolumeData volume;
   bool ofCells = false;
   vtkDataArray* scalars = FindScalars(data, ofCells);
-  const int component = static_cast<int>(ReadNumber(data, vtkCSLFVolume::ComponentName(), 0.0));
-  if (!scalars || component < 0 || component >= scalars->GetNumberOfComponents())
+  const double number = ReadNumber(data, vtkCSLFVolume::ComponentName(), 0.0);
+  if (!scalars || !(number >= 0.0 && number < scalars->GetNumberOfComponents()))
   {
     problem = "without scalars";
     return std::nullopt;
   }
+  const int component = static_cast<int>(number);
   auto* image = vtkImageData::SafeDownCast(data);
   if (image)
   {
@@ -229,7 +237,7 @@ std::optional<VolumeData> ReadVolume(vtkDataObject* object, std::string& problem
   }
   else if (!PlaceRectilinear(vtkRectilinearGrid::SafeDownCast(data), ofCells, volume))
   {
-    problem = "whose coordinates do not increase";
+    problem = "whose coordinates do not increase, or do not fit";
     return std::nullopt;
   }
   const std::int64_t nodes =

@@ -24,6 +24,10 @@ constexpr float LeastTransmittance = 1.0f / 1024.0f;
 // The steps that find a depth, in those that find colours.
 constexpr float DepthStep = 2.0f;
 
+// The most steps along a ray, and the shortest as a share of its length.
+constexpr float MaximumSteps = 65536.0f;
+constexpr float LeastStep = 1e-6f;
+
 // Tracking of light goes on at random below this transmittance.
 constexpr float RouletteTransmittance = 0.1f;
 
@@ -99,7 +103,10 @@ struct StepLanes
     this->Active[lane] = isActive ? -1 : 0;
     this->At[lane] = isActive ? near : 0.0f;
     this->End[lane] = end;
-    this->Length[lane] = isActive ? (end - near) / std::ceil((end - near) / longest) : 0.0f;
+    // Not so short that they would be lost in rounding.
+    const float most = std::min(MaximumSteps, std::max((end - near) / (LeastStep * end), 1.0f));
+    const float count = std::min(std::ceil((end - near) / longest), std::floor(most));
+    this->Length[lane] = isActive ? (end - near) / std::max(count, 1.0f) : 0.0f;
   }
 };
 
@@ -165,6 +172,12 @@ std::uint64_t HashRay(const Ray& ray)
   return hash;
 }
 
+/// A parameter after a step, which is another one however short the step is.
+float Proceed(float at, float step)
+{
+  return std::max(at + step, std::nextafter(at, std::numeric_limits<float>::infinity()));
+}
+
 /// A ray's share of light that a volume lets through (ratio tracking: Novak, Selle and Jarosz, ACM
 /// TOG 33(6), 2014).
 float TrackRatio(const Volume& volume, const Ray& ray, float near, float far, RaySequence& numbers)
@@ -185,7 +198,7 @@ float TrackRatio(const Volume& volume, const Ray& ray, float near, float far, Ra
           depth -= (end - at) * majorant;
           return true;
         }
-        at += step;
+        at = Proceed(at, step);
         depth = numbers.NextDepth();
         glm::vec3 color;
         transmittance *= 1.0f - volume.Get(ray.Origin + at * ray.Direction, color) / bound;
@@ -225,7 +238,7 @@ float TrackDelta(const Volume& volume, const Ray& ray, float near, float far, Ra
           depth -= (end - at) * majorant;
           return true;
         }
-        at += step;
+        at = Proceed(at, step);
         depth = numbers.NextDepth();
         const float extinction = volume.Get(ray.Origin + at * ray.Direction, color);
         if (numbers.Next() * bound < extinction)
@@ -299,7 +312,8 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
   Lanes<float> end;
   std::fill_n(near.Values, LaneCount, std::numeric_limits<float>::max());
   std::fill_n(end.Values, LaneCount, 0.0f);
-  float longest = std::numeric_limits<float>::max();
+  Lanes<float> longest; // by the volumes that the ray meets
+  std::fill_n(longest.Values, LaneCount, std::numeric_limits<float>::max());
   for (const Volume& volume : this->Volumes)
   {
     spans.emplace_back();
@@ -307,7 +321,6 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
     {
       continue;
     }
-    longest = std::min(longest, volume.GetStep());
     volume.FindSpans(rays.Origin, rays.Direction, far, rays.Active, spans.back());
     for (int lane = 0; lane < LaneCount; ++lane)
     {
@@ -315,13 +328,14 @@ void VolumeSet::March(const RayLanes& rays, const Lanes<float>& far, const Lanes
       {
         near[lane] = std::min(near[lane], spans.back().Near[lane]);
         end[lane] = std::max(end[lane], spans.back().Far[lane]);
+        longest[lane] = std::min(longest[lane], volume.GetStep());
       }
     }
   }
   StepLanes steps;
   for (int lane = 0; lane < LaneCount; ++lane)
   {
-    steps.Begin(lane, near[lane], end[lane], scale * longest);
+    steps.Begin(lane, near[lane], end[lane], scale * longest[lane]);
   }
   MediumLanes medium;
   while (IsAny(steps.Active))
