@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSceneLook.h"
 
+#include "PathTracing/Volumes/cslfVolumeReader.h"
 #include "Pipeline/cslfGuard.h"
 
 #include "Options/cslfOption.h"
@@ -113,6 +114,10 @@ private:
     if (data->GetFieldData()->GetAbstractArray(cslf::Description::FieldDataName))
     {
       throw cslf::LookError("The data is a light field, not a scene.");
+    }
+    if (cslf::IsVolume(data))
+    {
+      return data;
     }
     auto surface = vtkSmartPointer<vtkPolyData>::New();
     if (vtkPolyData::SafeDownCast(data))

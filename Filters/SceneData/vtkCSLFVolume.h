@@ -7,21 +7,24 @@
  * The path tracing filters show a leaf of a composite data set that is a vtkImageData or a
  * vtkRectilinearGrid as a volume if its field data has the array `CSLF:VolumeColors`. Its active
  * scalars of points, or else of cells, select colours and opacities. This class provides the names
- * of the arrays and sets them; each has one tuple unless the table says otherwise:
+ * of the arrays and sets them; each has one tuple of one component unless it is said otherwise:
  *
- * | array | components | meaning |
- * |---|---|---|
- * | `CSLF:VolumeColors` | 4 | at least 2 tuples, evenly spaced over the range: a displayed colour
- * (sRGB) and the opacity over the unit distance, all in [0,1] | | `CSLF:VolumeRange` | 2 | the
- * scalars of the first and the last colour | | `CSLF:VolumeComponent` | 1 | optional: which
- * component of the scalars; the first one by default | | `CSLF:VolumeUnitDistance` | 1 | optional:
- * above 0, in the coordinates of the data set; 1 by default | | `CSLF:VolumeInterpolation` | 1 |
- * optional: 0 for the nearest scalar, 1 (the default) for a linear one | | `CSLF:VolumeMatrix` | 16
- * | optional: from the grid's coordinates to the world, row by row | | `CSLF:VolumePlanes` | 4 |
- * optional: a plane in each tuple, world; the volume is where a x + b y + c z + d is not negative |
- * | `CSLF:VolumeShade` | 1 | optional: 0 (the default) shows the colours themselves, without light;
- * 1 scatters light | | `CSLF:VolumeAnisotropy` | 1 | optional: of light that is scattered, above -1
- * (backwards) and below 1 (forwards); 0 (the default) is all around |
+ * - `CSLF:VolumeColors`, 4 components: at least 2 tuples, evenly spaced over the range: a displayed
+ *   colour (sRGB) and the opacity over the unit distance, all in [0,1];
+ * - `CSLF:VolumeRange`, 2: the scalars of the first and the last colour;
+ * - `CSLF:VolumeComponent`, optional: which component of the scalars; default: the first one;
+ * - `CSLF:VolumeUnitDistance`, optional: above 0, in the coordinates of the data set; default: 1;
+ * - `CSLF:VolumeInterpolation`, optional: 0 for the nearest scalar, 1 (default) for a linear one;
+ * - `CSLF:VolumeMatrix`, 16, optional: from the grid's coordinates to the world, row by row;
+ * - `CSLF:VolumePlanes`, 4, optional: a plane in each tuple, world; the volume is where
+ *   a x + b y + c z + d is not negative;
+ * - `CSLF:VolumeShade`, optional: 0 (default) shows the colours themselves, without light; 1
+ *   scatters light;
+ * - `CSLF:VolumeAnisotropy`, optional: of light that is scattered, above -1 (backwards) and below 1
+ *   (forwards); 0 (default) is all around.
+ *
+ * A scattering medium lets less than 1e-13 of the light pass a distance of nodes at most, however
+ * opaque it is.
  *
  * Without light, a volume emits its displayed colours and hides what is behind it, as volume
  * mappers show it without shading. Points that are hidden by ghost arrays, and values that are not
