@@ -193,8 +193,9 @@ def connect(scene, sampler, look, has_steps=False):
             sampler.SetInputConnection(source.GetOutputPort())
             return False
         is_index = os.path.exists(name) and (name.lower().endswith(".pvd") or is_series(name))
-        if is_index and not has_steps and len(find_steps(name)) > 1:
-            warnings.warn(f"{name} has {len(find_steps(name))} times, of which the first one is "
+        times = len(find_steps(name)) if is_index and not has_steps else 0
+        if times > 1:
+            warnings.warn(f"{name} has {times} times, of which the first one is "
                           "baked: time_steps bakes others.", stacklevel=find_caller())
         scene = StepSource(name) if has_steps and is_index else read(name)
     if isinstance(scene, vtkAlgorithm):

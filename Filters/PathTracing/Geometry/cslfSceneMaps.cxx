@@ -6,10 +6,12 @@
 #include "cslfTessellation.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -66,27 +68,30 @@ struct ImageUse
   glm::dvec2 High{ -HUGE_VAL };
   std::vector<Sample> Samples;
 
-  /// The texels along a pixel that no more than a share of the area exceeds; 0 if none is known.
-  double FindTexels(int axis, double share)
+  /// The texels along a pixel that no more of the area exceeds than each of these ascending shares;
+  /// 0 if none are known.
+  std::array<double, 2> FindTexels(int axis, const std::array<double, 2>& shares)
   {
     std::sort(this->Samples.begin(), this->Samples.end(),
       [axis](const Sample& one, const Sample& other)
       { return one.Texels[axis] > other.Texels[axis]; });
-    double rest = 0.0;
+    double area = 0.0;
     for (const Sample& sample : this->Samples)
     {
-      rest += sample.Area;
+      area += sample.Area;
     }
-    rest *= share;
+    std::array<double, 2> found{};
+    std::size_t next = 0;
+    double sum = 0.0;
     for (const Sample& sample : this->Samples)
     {
-      rest -= sample.Area;
-      if (rest <= 0.0)
+      sum += sample.Area;
+      for (; next < shares.size() && sum >= shares[next] * area; ++next)
       {
-        return sample.Texels[axis];
+        found[next] = sample.Texels[axis];
       }
     }
-    return 0.0;
+    return found;
   }
 };
 
@@ -219,7 +224,7 @@ void SceneMaps::AddImages(const std::vector<Mesh>& meshes, float texel, const Pr
     double farthest = 0.0;
     for (int axis = 0; axis < 2; ++axis)
     {
-      const double texels = use.FindTexels(axis, RestShare);
+      const auto [texels, densest] = use.FindTexels(axis, { RestShare, 1.0 - SmallShare });
       const double wanted = texels > 0.0 ? PixelsOfTexel * texels : UnknownPixels / pixels[axis];
       double scale = std::min(wanted, isDisplayed ? MaximumGrowth : 1.0);
       const double margin = std::ceil(1.0 / scale) + 1.0;
@@ -235,7 +240,6 @@ void SceneMaps::AddImages(const std::vector<Mesh>& meshes, float texel, const Pr
       origin[axis] = extent.First;
       frame.Origin[axis] = static_cast<float>(extent.First / pixels[axis]);
       frame.Scale[axis] = static_cast<float>(pixels[axis] / step[axis]);
-      const double densest = use.FindTexels(axis, 1.0 - SmallShare);
       fewest = std::min(fewest, texels > 0.0 ? 1.0 / (texels * step[axis]) : PixelsOfTexel);
       most = std::max(most, densest > 0.0 ? 1.0 / (densest * step[axis]) : 0.0);
       farthest =

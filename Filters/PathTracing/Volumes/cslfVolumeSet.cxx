@@ -178,11 +178,12 @@ float Proceed(float at, float step)
   return std::max(at + step, std::nextafter(at, std::numeric_limits<float>::infinity()));
 }
 
-/// A ray's share of light that a volume lets through (ratio tracking: Novak, Selle and Jarosz, ACM
-/// TOG 33(6), 2014).
-float TrackRatio(const Volume& volume, const Ray& ray, float near, float far, RaySequence& numbers)
+/// Calls `visit(at, bound)` for the tentative collisions of a ray with a volume, in their order,
+/// with a bound of the extinction there, until it returns false.
+template <typename Visit>
+void ForEachCollision(const Volume& volume, const Ray& ray, float near, float far,
+  RaySequence& numbers, const Visit& visit)
 {
-  float transmittance = 1.0f;
   float depth = numbers.NextDepth();
   const float rate = volume.GetRate(ray.Direction);
   volume.ForEachPart(ray, near, far,
@@ -200,20 +201,33 @@ float TrackRatio(const Volume& volume, const Ray& ray, float near, float far, Ra
         }
         at = Proceed(at, step);
         depth = numbers.NextDepth();
-        glm::vec3 color;
-        transmittance *= 1.0f - volume.Get(ray.Origin + at * ray.Direction, color) / bound;
-        if (transmittance < RouletteTransmittance)
+        if (!visit(at, bound))
         {
-          const float survival = std::max(transmittance / RouletteTransmittance, 0.0f);
-          if (numbers.Next() >= survival)
-          {
-            transmittance = 0.0f;
-            return false;
-          }
-          transmittance = RouletteTransmittance;
+          return false;
         }
       }
       return true;
+    });
+}
+
+/// A ray's share of light that a volume lets through (ratio tracking: Novak, Selle and Jarosz, ACM
+/// TOG 33(6), 2014).
+float TrackRatio(const Volume& volume, const Ray& ray, float near, float far, RaySequence& numbers)
+{
+  float transmittance = 1.0f;
+  ForEachCollision(volume, ray, near, far, numbers,
+    [&](float at, float bound)
+    {
+      glm::vec3 color;
+      transmittance *= 1.0f - volume.Get(ray.Origin + at * ray.Direction, color) / bound;
+      if (transmittance >= RouletteTransmittance)
+      {
+        return true;
+      }
+      const float survival = std::max(transmittance / RouletteTransmittance, 0.0f);
+      const bool survives = numbers.Next() < survival;
+      transmittance = survives ? RouletteTransmittance : 0.0f;
+      return survives;
     });
   return transmittance;
 }
@@ -223,31 +237,13 @@ float TrackDelta(const Volume& volume, const Ray& ray, float near, float far, Ra
   glm::vec3& color)
 {
   float found = std::numeric_limits<float>::infinity();
-  float depth = numbers.NextDepth();
-  const float rate = volume.GetRate(ray.Direction);
-  volume.ForEachPart(ray, near, far,
-    [&](float begin, float end, float bound)
+  ForEachCollision(volume, ray, near, far, numbers,
+    [&](float at, float bound)
     {
-      const float majorant = rate * bound;
-      float at = begin;
-      while (majorant > 0.0f)
-      {
-        const float step = depth / majorant;
-        if (at + step >= end)
-        {
-          depth -= (end - at) * majorant;
-          return true;
-        }
-        at = Proceed(at, step);
-        depth = numbers.NextDepth();
-        const float extinction = volume.Get(ray.Origin + at * ray.Direction, color);
-        if (numbers.Next() * bound < extinction)
-        {
-          found = at;
-          return false;
-        }
-      }
-      return true;
+      const float extinction = volume.Get(ray.Origin + at * ray.Direction, color);
+      const bool isReal = numbers.Next() * bound < extinction;
+      found = isReal ? at : found;
+      return !isReal;
     });
   return found;
 }
